@@ -28,23 +28,33 @@ class Links {
   /// The slots that repeat `slot`; empty for most.
   std::span<const std::uint32_t> targets(std::uint32_t slot) const {
     if (!is_source(slot)) return {};
-    const std::uint32_t k = rank_[slot >> 6] + static_cast<std::uint32_t>(std::popcount(bits_[slot >> 6] & ((std::uint64_t{1} << (slot & 63)) - 1)));
+    const std::uint64_t below = bits_[slot >> 6] & ((std::uint64_t{1} << (slot & 63)) - 1);
+    const std::uint32_t k = rank_[slot >> 6] + static_cast<std::uint32_t>(std::popcount(below));
     return {targets_.data() + offset_[k], targets_.data() + offset_[k + 1]};
   }
 
-  /// The source slots in ascending order, with `targets_of(k)` for the k-th of them: for whole refreshes.
-  std::size_t source_count() const { return sources_.size(); }
-  std::uint32_t source(std::size_t k) const { return sources_[k]; }
-  std::span<const std::uint32_t> targets_of(std::size_t k) const {
-    return {targets_.data() + offset_[k], targets_.data() + offset_[k + 1]};
+  /// Calls visit(source, targets) for every source in ascending order: a whole refresh.
+  template <typename Visit>
+  void for_each(Visit&& visit) const {
+    for_each_between(0, bits_.size(), visit);
   }
+  /// The same for the sources among slots 64 * first_word ... 64 * last_word - 1: a share of the work.
+  template <typename Visit>
+  void for_each_between(std::size_t first_word, std::size_t last_word, Visit&& visit) const {
+    for (std::size_t word = first_word; word < last_word; ++word) {
+      std::uint32_t k = rank_[word];
+      for (std::uint64_t rest = bits_[word]; rest != 0; rest &= rest - 1, ++k)
+        visit(static_cast<std::uint32_t>(64 * word + static_cast<std::size_t>(std::countr_zero(rest))),
+              std::span<const std::uint32_t>(targets_.data() + offset_[k], targets_.data() + offset_[k + 1]));
+    }
+  }
+  std::size_t word_count() const { return bits_.size(); }
   std::size_t size() const { return targets_.size(); }
   std::size_t bytes() const;
 
  private:
   std::vector<std::uint64_t> bits_;     // [slot / 64]
   std::vector<std::uint32_t> rank_;     // [slot / 64] sources before this word
-  std::vector<std::uint32_t> sources_;  // ascending
   std::vector<std::uint32_t> offset_;   // [source rank] into targets_, one more at the end
   std::vector<std::uint32_t> targets_;
 };

@@ -59,11 +59,13 @@ class Surface {
   std::size_t bytes() const;                                 ///< memory held beside the mesh
 
   const Frame& frame(std::size_t patch) const { return frames_[patch]; }
+  std::span<const Frame> frames() const { return frames_; }
   /// Rows of all patches; one empty row stands before the first and after the last.
   std::span<const Row> rows() const { return {rows_.data() + 1, rows_.size() - 2}; }
   /// Indices into rows() of `patch`: its first row is grid row -1 (never evolving), then 0, 1, ... Empty for a patch without cells.
   std::uint32_t row_begin(std::size_t patch) const { return row_begin_[patch]; }
   std::uint32_t row_end(std::size_t patch) const { return row_begin_[patch + 1]; }
+  std::span<const std::uint32_t> row_begins() const { return row_begin_; }
   /// Grid row of row index `row` of `patch`.
   std::int32_t grid_row(std::size_t patch, std::uint32_t row) const {
     return static_cast<std::int32_t>(row - row_begin_[patch]) - 1;
@@ -73,6 +75,8 @@ class Surface {
     if (comp_in_.empty()) return {rows()[row].run_begin, rows()[row].run_end};
     return comp_in_[row];
   }
+  /// Owned runs of all rows when links are projected; empty when unfolded, where run_begin and run_end tell.
+  std::span<const SlotRun> owned_runs() const { return comp_in_; }
   /// Index into rows() of the row that holds `slot`.
   std::uint32_t row_of(std::uint32_t slot) const;
   /// Patch that holds row `row`.
