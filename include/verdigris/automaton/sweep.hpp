@@ -1,0 +1,101 @@
+#pragma once
+// Full sweep: every cell, every step. What the other kinds of stepping are measured against.
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
+#include <cstddef>
+#include <utility>
+
+#include "verdigris/automaton/behaviour.hpp"
+#include "verdigris/automaton/pairs.hpp"
+#include "verdigris/surface/surface.hpp"
+
+namespace verdigris {
+
+/// Runs any behaviour by evaluating every evolving cell in every step. The surface must outlive it.
+template <Behaviour B>
+class SweepStepper {
+ public:
+  using State = typename B::State;
+
+  /// `state` holds a value for each slot of the surface; those of ghosts are made anew from their owners.
+  SweepStepper(const Surface& surface, B behaviour, Field<State> state, std::uint64_t seed, std::uint64_t step = 0)
+      : surface_(surface), behaviour_(std::move(behaviour)), state_(std::move(state)), seed_(seed), step_(step) {
+    refresh_ghosts();
+    make_pairs_common();
+    next_ = state_;
+  }
+
+  StepReport step() {
+    if constexpr (SteppedBehaviour<B>) behaviour_.begin_step(step_ + 1);
+    StepReport report{step_ + 1, 0, 0};
+    const auto rows = surface_.rows();
+    const auto total = tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, rows.size(), 64), Counts{},
+        [&](const tbb::blocked_range<std::size_t>& range, Counts counts) {
+          for (std::size_t r = range.begin(); r < range.end(); ++r) sweep_row(static_cast<std::uint32_t>(r), counts);
+          return counts;
+        },
+        [](Counts a, Counts b) { return Counts{a.changed + b.changed, a.visited + b.visited}; });
+    state_.swap(next_);
+    ++step_;
+    report.changed = total.changed;
+    report.visited = total.visited;
+    refresh_ghosts();
+    report.changed += make_pairs_common();
+    return report;
+  }
+
+  const Field<State>& state() const { return state_; }
+  std::uint64_t steps() const { return step_; }
+  const B& behaviour() const { return behaviour_; }
+
+ private:
+  struct Counts {
+    std::uint64_t changed = 0, visited = 0;
+  };
+
+  void sweep_row(std::uint32_t r, Counts& counts) {
+    const Row* row = surface_.rows().data() + r;
+    const Row &below = row[-1], &above = row[1];
+    const State* old = state_.data();
+    for (std::uint32_t slot = row->run_begin; slot < row->run_end; ++slot) {
+      const std::uint32_t column = slot - row->base;
+      const Neighbourhood<State> n{old + static_cast<std::uint32_t>(below.base + column), old + slot,
+                                   old + static_cast<std::uint32_t>(above.base + column)};
+      next_[slot] = behaviour_.next(n, CellRandom(seed_, step_ + 1, slot));
+      counts.changed += next_[slot] != old[slot];
+    }
+    counts.visited += row->run_end - row->run_begin;
+  }
+
+  void refresh_ghosts() {
+    if (surface_.link_kind() != LinkKind::unfolded) return;
+    const Links& links = surface_.links();
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, links.word_count(), 1024),
+                      [&](const tbb::blocked_range<std::size_t>& range) {
+                        links.for_each_between(range.begin(), range.end(), [&](std::uint32_t source, auto targets) {
+                          for (const std::uint32_t ghost : targets) state_[ghost] = state_[source];
+                        });
+                      });
+  }
+
+  std::uint64_t make_pairs_common() {
+    if constexpr (MergingBehaviour<B>)
+      if (surface_.link_kind() == LinkKind::projected) {
+        const auto merges = merge_pairs(surface_.links(), behaviour_, state_, paired_slots(surface_.links()));
+        for (const auto& [slot, state] : merges) state_[slot] = state;
+        return merges.size();
+      }
+    return 0;
+  }
+
+  const Surface& surface_;
+  B behaviour_;
+  Field<State> state_, next_;
+  std::uint64_t seed_, step_;
+};
+
+}  // namespace verdigris

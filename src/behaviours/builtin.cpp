@@ -1,0 +1,13 @@
+#include "verdigris/behaviours/builtin.hpp"
+
+#include "verdigris/behaviours/voronoi_growth.hpp"
+
+namespace verdigris {
+
+Catalogue builtin_catalogue() {
+  Catalogue catalogue;
+  catalogue.add(voronoi_entry());
+  return catalogue;
+}
+
+}  // namespace verdigris
