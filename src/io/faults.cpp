@@ -15,7 +15,7 @@ std::size_t line_of(std::string_view text, std::size_t offset) {
   return line;
 }
 
-std::string quoted(std::string_view found) {
+std::string in_quotes(std::string_view found) {
   constexpr std::size_t longest = 32;
   std::string text = "'";
   for (const char c : found.substr(0, longest)) text += c >= 32 && c < 127 ? c : '?';

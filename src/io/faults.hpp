@@ -15,7 +15,7 @@ namespace verdigris::io {
 std::size_t line_of(std::string_view text, std::size_t offset);
 
 /// A short, printable form of something found in a file, for messages.
-std::string quoted(std::string_view found);
+std::string in_quotes(std::string_view found);
 
 /// Collects faults while a text or binary file is read, so that one message can say how many there are.
 /// Lines are counted only when a fault is found, never on the fast path.

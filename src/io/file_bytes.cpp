@@ -17,13 +17,17 @@ std::string shown(const fs::path& file) {
   return file.string();
 }
 
+void blank_byte_order_mark(FileBytes& bytes) {
+  if (bytes.view().starts_with("\xEF\xBB\xBF")) std::fill_n(bytes.data(), 3, ' ');
+}
+
 void prepare_text(FileBytes& bytes, const fs::path& file) {
   if (const void* nul = std::memchr(bytes.data(), 0, bytes.size()))
     throw InputError(shown(file),
                      fmt::format("this is not text: there is a zero at byte {}",
                                  static_cast<const char*>(nul) - bytes.data()),
                      "check that the file is what its extension says, and was not damaged on the way");
-  if (bytes.view().starts_with("\xEF\xBB\xBF")) std::fill_n(bytes.data(), 3, ' ');
+  blank_byte_order_mark(bytes);
 }
 
 FileBytes read_file(const fs::path& file) {

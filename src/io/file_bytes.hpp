@@ -27,6 +27,9 @@ class FileBytes {
 /// device (all of which opening could block on, or answer with nonsense).
 FileBytes read_file(const std::filesystem::path& file);
 
+/// Blanks a UTF-8 byte order mark.
+void blank_byte_order_mark(FileBytes& bytes);
+
 /// Makes ready what has to be text: blanks a UTF-8 byte order mark; throws InputError when there are NUL
 /// bytes.
 void prepare_text(FileBytes& bytes, const std::filesystem::path& file);

@@ -145,7 +145,7 @@ class ObjReader {
       static constexpr char remedy[] =
           "write corners as v, v/vt, v//vn or v/vt/vn, counting from 1 or back from -1";
       if (!faults_.known(remedy))
-        faults_.add(offset, fmt::format("the face corner {} is malformed", quoted(word)), remedy);
+        faults_.add(offset, fmt::format("the face corner {} is malformed", in_quotes(word)), remedy);
       index = {0, PolygonSoup::none, PolygonSoup::none};
     }
     // Positive indices may point forward, so only a bound is kept here; the rare fault is looked for again.

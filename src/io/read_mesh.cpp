@@ -24,6 +24,10 @@ struct Format {
 
 constexpr std::array formats{
     Format{".obj", io::read_obj},
+    Format{".off", io::read_off},
+    Format{".om", io::read_om},
+    Format{".ply", io::read_ply},
+    Format{".stl", io::read_stl},
 };
 
 /// How files begin that are certainly not what a model's extension says.

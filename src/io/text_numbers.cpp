@@ -16,17 +16,17 @@ void fault_number(Faults& faults, std::size_t offset, std::string_view word, Num
       break;
     case NumberState::not_finite:
       if (!faults.known(remedy_not_finite))
-        faults.add(offset, fmt::format("the {} is {}, which is not finite", what, quoted(word)),
+        faults.add(offset, fmt::format("the {} is {}, which is not finite", what, in_quotes(word)),
                    remedy_not_finite);
       break;
     case NumberState::too_large:
       if (!faults.known(remedy_too_large))
-        faults.add(offset, fmt::format("the {} {} is too large", what, quoted(word)), remedy_too_large);
+        faults.add(offset, fmt::format("the {} {} is too large", what, in_quotes(word)), remedy_too_large);
       break;
     case NumberState::malformed:
       if (!faults.known(remedy_malformed)) {
         const char* why = word.find(',') != std::string_view::npos ? " (a decimal comma?)" : "";
-        faults.add(offset, fmt::format("the {} {} is not a number{}", what, quoted(word), why),
+        faults.add(offset, fmt::format("the {} {} is not a number{}", what, in_quotes(word), why),
                    remedy_malformed);
       }
       break;
