@@ -27,7 +27,7 @@ TriangleScan::TriangleScan(const Frame& frame, double cell_size, bool owns_bc, b
 
 ColumnRun TriangleScan::comp_in(std::int32_t row) const {
   const double y = row + 0.5;
-  if (y >= cy_) return {};
+  if (row < 0 || y >= cy_) return {};
   // Column i is in when left <= i + 0.5 <= right; on equality to within on_edge the owner decides.
   const double left = left_ * y - 0.5, right = ab_ - right_ * y - 0.5;
   const std::int32_t begin = ceil_to_column(owns_ca_ ? left - on_edge : left + on_edge);
