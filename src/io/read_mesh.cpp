@@ -23,10 +23,8 @@ struct Format {
 };
 
 constexpr std::array formats{
-    Format{".obj", io::read_obj},
-    Format{".off", io::read_off},
-    Format{".om", io::read_om},
-    Format{".ply", io::read_ply},
+    Format{".glb", io::read_gltf}, Format{".gltf", io::read_gltf}, Format{".obj", io::read_obj},
+    Format{".off", io::read_off},  Format{".om", io::read_om},     Format{".ply", io::read_ply},
     Format{".stl", io::read_stl},
 };
 

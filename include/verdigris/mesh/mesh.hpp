@@ -19,7 +19,7 @@ namespace verdigris {
 struct Mesh {
   std::vector<glm::dvec3> positions;   ///< [vertex], model units
   std::vector<glm::uvec3> triangles;   ///< [triangle], three different vertices each
-  std::vector<glm::vec2> corner_uv;    ///< [3 * triangle + corner], or empty when the file has none
+  std::vector<glm::vec2> corner_uv;    ///< [3 * triangle + corner], v upwards; or empty when the file has none
   std::vector<glm::vec4> corner_color; ///< [3 * triangle + corner], RGBA in 0..1 as in the file, or empty
   std::vector<std::uint32_t> vertex_of_file;   ///< [vertex in file order] -> vertex; empty: the same order
   std::vector<std::uint32_t> face_of_triangle; ///< [triangle] -> face in file order; empty: the same order
