@@ -1,0 +1,49 @@
+// verdigris: cellular automata on the surface of any triangle mesh, from the command line.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "options.hpp"
+
+namespace {
+constexpr int bad_input = 2;
+}
+
+int main(int argc, char** argv) {
+  CLI::App app{
+      "Cellular automata on the surface of any triangle mesh.\n"
+      "Every triangle is laid on its own grid of square cells; behaviours grow over the model across its edges.",
+      "verdigris"};
+  app.set_version_flag("--version", "verdigris " VERDIGRIS_VERSION);
+  app.require_subcommand(1);
+  app.footer(
+      "Examples:\n"
+      "  verdigris info bunny.obj\n"
+      "  verdigris voronoi bunny.obj --seeds 64 --cells 1M --out bunny-regions\n"
+      "  verdigris run bunny-regions/run.toml --out again\n\n"
+      "Exit status: 0 done, 2 bad input or options, 130 stopped by Ctrl-C with results so far written.");
+  app.get_formatter()->column_width(30);
+  int status = 0;
+  add_info(app);
+  add_voronoi(app, status);
+  add_run(app, status);
+  add_list(app);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    // Help and version leave with 0, every misuse with the status of bad input.
+    return app.exit(error) == 0 ? 0 : bad_input;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "error: out of memory\n  remedy: use fewer cells (--cells) or a machine with more memory\n");
+    return bad_input;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+    return bad_input;
+  }
+  return status;
+}

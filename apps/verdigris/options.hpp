@@ -1,0 +1,46 @@
+#pragma once
+// Command-line options that several commands share.
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+
+#include "verdigris/io/scene.hpp"
+
+/// How a command talks and how many threads it uses.
+struct RunOptions {
+  std::string out = "verdigris-out";
+  int threads = 0;      ///< 0: all cores
+  bool json = false;
+  bool quiet = false;
+};
+
+/// A count with an optional suffix: 250000, 1e6, 64k, 1M, 2.5G. Throws InputError naming `option`.
+double parse_count(const std::string& text, const char* option);
+
+/// WxH, as in 1280x960. Throws InputError.
+void parse_size(const std::string& text, int& width, int& height);
+
+/// --cells, --cell-size, --links, --mend. The text of --cells goes through parse_count in `finish_surface_options`.
+struct SurfaceOptionTexts {
+  std::string cells, cell_size, links;
+};
+void add_surface_options(CLI::App& app, verdigris::Scene& scene, SurfaceOptionTexts& texts);
+void finish_surface_options(verdigris::Scene& scene, const SurfaceOptionTexts& texts);
+
+/// --view, --up, --size, --no-picture, --no-outline.
+struct PictureOptionTexts {
+  std::string size;
+  bool no_picture = false, no_outline = false;
+};
+void add_picture_options(CLI::App& app, verdigris::Scene& scene, PictureOptionTexts& texts);
+void finish_picture_options(verdigris::Scene& scene, const PictureOptionTexts& texts);
+
+/// --out, --threads, --json, --quiet.
+void add_run_options(CLI::App& app, RunOptions& options);
+
+// The commands. Each registers itself and runs from its callback.
+void add_info(CLI::App& app);
+void add_list(CLI::App& app);
+void add_run(CLI::App& app, int& status);
+void add_voronoi(CLI::App& app, int& status);

@@ -1,0 +1,12 @@
+#pragma once
+// The picture of a run.
+
+#include <filesystem>
+
+#include "verdigris/automaton/behaviour.hpp"
+#include "verdigris/io/scene.hpp"
+#include "verdigris/surface/surface.hpp"
+
+/// Draws labels as regions, any other field by a colour map, and writes a PNG. Throws InputError where there is no OpenGL.
+void write_picture(const std::filesystem::path& file, const verdigris::Surface& surface,
+                   const verdigris::Field<std::int32_t>& values, bool labels, const verdigris::PicturePlan& plan);

@@ -1,0 +1,73 @@
+#include "verdigris/exposure/mesh_values.hpp"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "verdigris/mesh/error.hpp"
+
+namespace verdigris {
+
+namespace {
+
+// value(patch, point in its plane) at every evolving cell.
+template <typename Value>
+Field<float> at_cells(const Surface& surface, Value&& value) {
+  Field<float> field(surface.slot_count(), 0.0f);
+  tbb::parallel_for(std::size_t{0}, surface.patch_count(), [&](std::size_t patch) {
+    for (std::uint32_t r = surface.row_begin(patch); r < surface.row_end(patch); ++r) {
+      const Row& row = surface.rows()[r];
+      for (std::uint32_t slot = row.run_begin; slot < row.run_end; ++slot) {
+        const auto column = static_cast<std::int32_t>(slot - row.base);
+        field[slot] = static_cast<float>(value(patch, surface.centre(surface.grid_row(patch, r), column)));
+      }
+    }
+  });
+  return field;
+}
+
+}  // namespace
+
+Field<float> interpolate_vertex_values(const Surface& surface, std::span<const double> values) {
+  const Mesh& mesh = surface.mesh();
+  if (values.size() != mesh.positions.size()) throw std::invalid_argument("not one value a vertex");
+  return at_cells(surface, [&](std::size_t patch, glm::dvec2 p) {
+    const Frame& f = surface.frame(patch);
+    const auto at = [&](std::uint8_t k) { return values[mesh.triangles[patch][(f.first_corner + k) % 3]]; };
+    // Barycentric coordinates in the frame: C by height, then B along the row.
+    const double c = f.cy > 0.0 ? p.y / f.cy : 0.0;
+    const double b = f.ab > 0.0 ? (p.x - c * f.cx) / f.ab : 0.0;
+    return (1.0 - b - c) * at(0) + b * at(1) + c * at(2);
+  });
+}
+
+Field<float> spread_triangle_values(const Surface& surface, std::span<const double> values) {
+  if (values.size() != surface.patch_count()) throw std::invalid_argument("not one value a triangle");
+  return at_cells(surface, [&](std::size_t patch, glm::dvec2) { return values[patch]; });
+}
+
+Field<float> file_values(const Surface& surface, std::span<const double> values, std::size_t file_vertices,
+                         std::size_t file_faces, const std::string& where) {
+  const Mesh& mesh = surface.mesh();
+  if (values.size() == file_vertices) {
+    // Vertices that were welded into one: the greatest counts, a barrier drawn on one side of a seam holds.
+    std::vector<double> on_vertex(mesh.positions.size(), -1e300);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      const std::size_t vertex = mesh.vertex_of_file.empty() ? k : mesh.vertex_of_file[k];
+      if (vertex < on_vertex.size()) on_vertex[vertex] = std::max(on_vertex[vertex], values[k]);
+    }
+    return interpolate_vertex_values(surface, on_vertex);
+  }
+  if (values.size() == file_faces) {
+    std::vector<double> on_triangle(mesh.triangles.size());
+    for (std::size_t t = 0; t < on_triangle.size(); ++t)
+      on_triangle[t] = values[mesh.face_of_triangle.empty() ? t : mesh.face_of_triangle[t]];
+    return spread_triangle_values(surface, on_triangle);
+  }
+  throw InputError(where, fmt::format("{} values; the model has {} vertices and {} faces", values.size(), file_vertices, file_faces),
+                   "give one value for each vertex or one for each face of the model file, in its order");
+}
+
+}  // namespace verdigris

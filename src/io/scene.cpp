@@ -1,0 +1,283 @@
+#include "verdigris/io/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <toml++/toml.h>
+
+#include "file_bytes.hpp"
+#include "verdigris/io/replace_file.hpp"
+#include "verdigris/mesh/error.hpp"
+
+namespace verdigris {
+
+LinkKind link_kind_named(const std::string& name) {
+  if (name == "unfolded") return LinkKind::unfolded;
+  if (name == "projected") return LinkKind::projected;
+  throw InputError("links", fmt::format("there is no kind '{}'", name), "choose unfolded or projected");
+}
+
+const char* name_of(LinkKind kind) { return kind == LinkKind::unfolded ? "unfolded" : "projected"; }
+
+namespace {
+
+// One table of a scene file, read key by key; what was not asked for is an error.
+class Table {
+ public:
+  Table(const std::filesystem::path& file, const toml::table& root, const char* name) : file_(file), name_(name) {
+    if (const toml::node* node = root.get(name)) {
+      table_ = node->as_table();
+      if (table_ == nullptr) fail(*node, fmt::format("'{}' is not a table", name), fmt::format("write [{}]", name));
+    }
+  }
+
+  explicit operator bool() const { return table_ != nullptr; }
+  const toml::table& raw() const { return *table_; }
+
+  const toml::node* find(const char* key) const { return table_ == nullptr ? nullptr : table_->get(key); }
+
+  void text(const char* key, std::string& value) const {
+    if (const toml::node* node = find(key)) {
+      if (!node->is_string()) fail(*node, fmt::format("{}.{} is not a string", name_, key), "put it in quotes");
+      value = node->as_string()->get();
+    }
+  }
+  void flag(const char* key, bool& value) const {
+    if (const toml::node* node = find(key)) {
+      if (!node->is_boolean()) fail(*node, fmt::format("{}.{} is not true or false", name_, key), "write true or false");
+      value = node->as_boolean()->get();
+    }
+  }
+  void number(const char* key, double& value, double least, double greatest) const {
+    if (const toml::node* node = find(key)) value = number_of(*node, key, least, greatest);
+  }
+  double number_of(const toml::node& node, std::string_view key, double least, double greatest) const {
+    const auto value = node.value<double>();
+    if (!value || node.is_boolean() || node.is_string() || !(*value >= least && *value <= greatest))
+      fail(node, fmt::format("{}.{} is not a number from {} to {}", name_, key, least, greatest), "correct the value");
+    return *value;
+  }
+  template <typename Integer>
+  void whole(const char* key, Integer& value, std::int64_t least, std::int64_t greatest) const {
+    if (const toml::node* node = find(key)) value = static_cast<Integer>(whole_of(*node, key, least, greatest));
+  }
+  std::int64_t whole_of(const toml::node& node, std::string_view key, std::int64_t least, std::int64_t greatest) const {
+    if (!node.is_integer() || node.as_integer()->get() < least || node.as_integer()->get() > greatest)
+      fail(node, fmt::format("{}.{} is not a whole number from {} to {}", name_, key, least, greatest), "correct the value");
+    return node.as_integer()->get();
+  }
+  const toml::array* array(const char* key) const {
+    const toml::node* node = find(key);
+    if (node == nullptr) return nullptr;
+    if (!node->is_array()) fail(*node, fmt::format("{}.{} is not an array", name_, key), "write [ ... ]");
+    return node->as_array();
+  }
+
+  void only(std::initializer_list<std::string_view> keys) const {
+    if (table_ == nullptr) return;
+    for (const auto& [key, node] : *table_) {
+      std::string known;
+      bool found = false;
+      for (const std::string_view k : keys) {
+        found = found || k == key.str();
+        if (!known.empty()) known += ", ";
+        known += k;
+      }
+      if (!found) fail(node, fmt::format("[{}] has no key '{}'", name_, key.str()), "the keys are: " + known);
+    }
+  }
+
+  [[noreturn]] void fail(const toml::node& node, const std::string& what, const std::string& remedy) const {
+    throw InputError(fmt::format("{}:{}", file_.string(), node.source().begin.line), what, remedy);
+  }
+
+ private:
+  const std::filesystem::path& file_;
+  const char* name_;
+  const toml::table* table_ = nullptr;
+};
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double most = std::numeric_limits<double>::max();
+constexpr std::int64_t most_whole = std::numeric_limits<std::int64_t>::max();
+
+void read_seeds(const Table& seeds, const std::filesystem::path& base, SeedPlan& plan) {
+  seeds.only({"count", "points", "file", "vertices", "weights"});
+  seeds.whole("count", plan.count, 1, most_whole);
+  std::string file;
+  seeds.text("file", file);
+  if (!file.empty()) plan.points = read_points(base / file);
+  if (const toml::array* points = seeds.array("points"))
+    for (const toml::node& node : *points) {
+      const toml::array* p = node.as_array();
+      if (p == nullptr || p->size() < 3 || p->size() > 4)
+        seeds.fail(node, "seeds.points holds something that is no point", "write [x, y, z] or [x, y, z, weight]");
+      WeightedPoint point;
+      for (std::size_t k = 0; k < 3; ++k)
+        point.position[static_cast<int>(k)] = seeds.number_of(*p->get(k), "points", -most, most);
+      if (p->size() == 4) point.weight = seeds.number_of(*p->get(3), "points", std::numeric_limits<double>::min(), most);
+      plan.points.push_back(point);
+    }
+  if (const toml::array* vertices = seeds.array("vertices"))
+    for (const toml::node& node : *vertices)
+      plan.vertices.push_back(static_cast<std::uint32_t>(seeds.whole_of(node, "vertices", 0, 0xFFFFFFFF)));
+  if (const toml::array* weights = seeds.array("weights"))
+    for (const toml::node& node : *weights)
+      plan.weights.push_back(seeds.number_of(node, "weights", std::numeric_limits<double>::min(), most));
+  const int ways = (plan.count > 0) + (seeds.find("points") != nullptr) + !file.empty() + !plan.vertices.empty();
+  if (seeds && ways != 1)
+    seeds.fail(seeds.raw(), "seeds are given in more than one way, or in none",
+               "keep one of count, points, file and vertices");
+}
+
+}  // namespace
+
+Scene read_scene(const std::filesystem::path& file) {
+  io::FileBytes bytes = io::read_file(file);
+  io::prepare_text(bytes, file);
+  toml::table root;
+  try {
+    root = toml::parse(bytes.view(), file.string());
+  } catch (const toml::parse_error& error) {
+    throw InputError(fmt::format("{}:{}", file.string(), error.source().begin.line), std::string(error.description()),
+                     "correct the TOML at that place");
+  }
+  for (const auto& [key, node] : root)
+    if (key != "verdigris" && key != "mesh" && key != "surface" && key != "behaviour" && key != "seeds" && key != "barrier" &&
+        key != "run" && key != "picture")
+      throw InputError(fmt::format("{}:{}", file.string(), node.source().begin.line),
+                       fmt::format("there is no table '{}'", key.str()),
+                       "the tables are: verdigris, mesh, surface, behaviour, seeds, barrier, run, picture");
+
+  Scene scene;
+  const std::filesystem::path base = file.parent_path();
+  const Table about(file, root, "verdigris");
+  about.only({"version"});
+
+  const Table mesh(file, root, "mesh");
+  mesh.only({"file", "hash", "mend"});
+  std::string mesh_file;
+  mesh.text("file", mesh_file);
+  if (mesh_file.empty())
+    throw InputError(file.string(), "no mesh is named", "write [mesh] and file = \"model.obj\"; the path is relative to the scene");
+  scene.mesh = base / mesh_file;
+  mesh.text("hash", scene.mesh_hash);
+  mesh.flag("mend", scene.mend);
+
+  const Table surface(file, root, "surface");
+  surface.only({"cells", "cell_size", "links"});
+  surface.number("cells", scene.cells, 1.0, 1e12);
+  surface.number("cell_size", scene.cell_size, std::numeric_limits<double>::min(), most);
+  if (surface.find("cells") != nullptr && surface.find("cell_size") != nullptr)
+    surface.fail(surface.raw(), "both cells and cell_size are given", "keep one of them");
+  std::string links = name_of(scene.links);
+  surface.text("links", links);
+  scene.links = link_kind_named(links);
+
+  const Table behaviour(file, root, "behaviour");
+  behaviour.text("name", scene.behaviour);
+  if (behaviour)
+    for (const auto& [key, node] : behaviour.raw())
+      if (key != "name")
+        scene.parameters.emplace_back(std::string(key.str()), behaviour.number_of(node, key.str(), -infinity, infinity));
+
+  read_seeds(Table(file, root, "seeds"), base, scene.seeds);
+
+  const Table barrier(file, root, "barrier");
+  barrier.only({"angle", "mask", "threshold"});
+  barrier.number("angle", scene.barrier.angle, 0.0, 181.0);
+  std::string mask;
+  barrier.text("mask", mask);
+  if (!mask.empty()) scene.barrier.mask = base / mask;
+  barrier.number("threshold", scene.barrier.threshold, -most, most);
+
+  const Table run(file, root, "run");
+  run.only({"seed", "steps"});
+  run.whole("seed", scene.seed, 0, most_whole);
+  run.whole("steps", scene.steps, 0, most_whole);
+
+  const Table picture(file, root, "picture");
+  picture.only({"draw", "view", "up", "width", "height", "outline"});
+  picture.flag("draw", scene.picture.draw);
+  picture.text("view", scene.picture.view);
+  picture.text("up", scene.picture.up);
+  picture.whole("width", scene.picture.width, 1, 16384);
+  picture.whole("height", scene.picture.height, 1, 16384);
+  picture.flag("outline", scene.picture.outline);
+  return scene;
+}
+
+namespace {
+
+// 17 digits bring back the same double; always with a point or exponent, so that TOML reads a float.
+std::string exact(double value) {
+  std::string text = fmt::format("{:.17g}", value);
+  if (text.find_first_of(".en") == std::string::npos) text += ".0";
+  return text;
+}
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    if (static_cast<unsigned char>(c) < 0x20)
+      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    else
+      out += c;
+  }
+  return out + '"';
+}
+
+std::string path_from(const std::filesystem::path& file, const std::filesystem::path& target) {
+  std::error_code error;
+  const auto base = std::filesystem::absolute(file).parent_path();
+  const auto relative = std::filesystem::proximate(std::filesystem::absolute(target), base, error);
+  return quoted((error ? std::filesystem::absolute(target) : relative).generic_string());
+}
+
+}  // namespace
+
+void write_scene(const std::filesystem::path& file, const Scene& scene) {
+  std::string text = fmt::format("# Repeat this run, to the bit: verdigris run {}\n\n", file.filename().string());
+  text += fmt::format("[verdigris]\nversion = {}\n\n", quoted(VERDIGRIS_VERSION));
+  text += fmt::format("[mesh]\nfile = {}\nhash = {}\nmend = {}\n\n", path_from(file, scene.mesh), quoted(scene.mesh_hash),
+                      scene.mend);
+  text += "[surface]\n";
+  text += scene.cell_size > 0.0 ? fmt::format("cell_size = {}\n", exact(scene.cell_size))
+                                : fmt::format("cells = {}\n", exact(scene.cells));
+  text += fmt::format("links = {}\n\n", quoted(name_of(scene.links)));
+  text += fmt::format("[behaviour]\nname = {}\n", quoted(scene.behaviour));
+  for (const auto& [name, value] : scene.parameters) text += fmt::format("{} = {}\n", name, exact(value));
+  const SeedPlan& seeds = scene.seeds;
+  if (seeds.count > 0 || !seeds.points.empty() || !seeds.vertices.empty()) {
+    text += "\n[seeds]\n";
+    if (seeds.count > 0) text += fmt::format("count = {}\n", seeds.count);
+    if (!seeds.vertices.empty()) text += fmt::format("vertices = [{}]\n", fmt::join(seeds.vertices, ", "));
+    if (!seeds.points.empty()) {
+      text += "points = [\n";
+      for (const WeightedPoint& p : seeds.points)
+        text += fmt::format("  [{}, {}, {}, {}],\n", exact(p.position.x), exact(p.position.y), exact(p.position.z),
+                            exact(p.weight));
+      text += "]\n";
+    }
+    if (!seeds.weights.empty()) {
+      text += "weights = [";
+      for (std::size_t k = 0; k < seeds.weights.size(); ++k) text += (k == 0 ? "" : ", ") + exact(seeds.weights[k]);
+      text += "]\n";
+    }
+  }
+  text += fmt::format("\n[barrier]\nangle = {}\n", exact(scene.barrier.angle));
+  if (!scene.barrier.mask.empty())
+    text += fmt::format("mask = {}\nthreshold = {}\n", path_from(file, scene.barrier.mask), exact(scene.barrier.threshold));
+  text += fmt::format("\n[run]\nseed = {}\nsteps = {}\n", scene.seed, scene.steps);
+  const PicturePlan& picture = scene.picture;
+  text += fmt::format("\n[picture]\ndraw = {}\nview = {}\nup = {}\nwidth = {}\nheight = {}\noutline = {}\n", picture.draw,
+                      quoted(picture.view), quoted(picture.up), picture.width, picture.height, picture.outline);
+  ReplaceFile out(file);
+  out.write(text);
+  out.commit();
+}
+
+}  // namespace verdigris
