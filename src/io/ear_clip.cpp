@@ -1,5 +1,6 @@
 #include "ear_clip.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -53,14 +54,18 @@ class EarClipper {
     cost_.resize(n);
     gone_.assign(n, false);
     for (std::size_t i = 0; i < n; ++i)
-      if (turn(flat_[previous_[i]], flat_[i], flat_[next_[i]]) <= 0.0) bent_in_.push_back(i);
-    for (std::size_t i = 0; i < n; ++i) cost_[i] = cost(i);
+      if (turn(flat_[previous_[i]], flat_[i], flat_[next_[i]]) <= slack_) bent_in_.push_back(i);
+    find_ears();
 
     std::size_t start = 0;
     for (std::size_t left = n; left > 3; --left) {
-      std::size_t best = start;
-      for (std::size_t i = next_[start]; i != start; i = next_[i])
-        if (cost_[i] < cost_[best]) best = i;
+      std::size_t best = cheapest(start);
+      // A polygon thinner than its rounding: what is left has to do.
+      if (cost_[best] == never && slack_ > 0.0) {
+        slack_ = 0.0;
+        find_ears();
+        best = cheapest(start);
+      }
       if (cost_[best] == never) best = widest(start);
       const std::size_t before = previous_[best], after = next_[best];
       emit(before, best, after, out);
@@ -83,6 +88,25 @@ class EarClipper {
     const double side = normal[drop] < 0.0 ? -1.0 : 1.0;
     for (const glm::dvec3& q : p) flat_.push_back({q[u] - p[0][u], side * (q[v] - p[0][v])});
     solid_.assign(p.begin(), p.end());
+    double extent = 0.0, reach = 0.0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      extent = std::max({extent, std::abs(flat_[i].x), std::abs(flat_[i].y)});
+      reach = std::max({reach, std::abs(p[i].x), std::abs(p[i].y), std::abs(p[i].z)});
+    }
+    slack_ =
+        1e-14 * extent * (extent + reach);  // rounding of the positions, some fifty units in the last place
+  }
+
+  void find_ears() {
+    for (std::size_t i = 0; i < cost_.size(); ++i)
+      if (!gone_[i]) cost_[i] = cost(i);
+  }
+
+  std::size_t cheapest(std::size_t start) const {
+    std::size_t best = start;
+    for (std::size_t i = next_[start]; i != start; i = next_[i])
+      if (cost_[i] < cost_[best]) best = i;
+    return best;
   }
 
   void emit(std::size_t a, std::size_t b, std::size_t c,
@@ -94,13 +118,13 @@ class EarClipper {
   double cost(std::size_t i) const {
     const std::size_t before = previous_[i], after = next_[i];
     const glm::dvec2 &a = flat_[before], &b = flat_[i], &c = flat_[after];
-    if (!(turn(a, b, c) > 0.0)) return never;
+    if (!(turn(a, b, c) > slack_)) return never;
     for (const std::size_t r : bent_in_) {  // only a corner that bends in can be first inside an ear
       if (gone_[r] || r == i || r == before || r == after) continue;
       const glm::dvec2& p = flat_[r];
       if (p == a || p == b || p == c) continue;  // a hole's bridge touches the outline
       // On the border counts as inside: cutting there would leave a sliver of no area.
-      if (turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0) return never;
+      if (turn(a, b, p) >= -slack_ && turn(b, c, p) >= -slack_ && turn(c, a, p) >= -slack_) return never;
     }
     const glm::dvec3 diagonal = solid_[after] - solid_[before];
     return glm::dot(diagonal, diagonal);
@@ -128,6 +152,7 @@ class EarClipper {
   std::vector<std::size_t> next_, previous_, bent_in_;
   std::vector<double> cost_;
   std::vector<bool> gone_;
+  double slack_ = 0.0;  // turns below this are straight
 };
 
 }  // namespace
