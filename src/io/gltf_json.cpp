@@ -171,7 +171,11 @@ std::size_t check_buffers(const json& root, std::size_t binary_bytes, const std:
       if (!seen.insert(path).second)
         stop(file, fmt::format("two buffers are the same file '{}'", path),
              "export as .glb, or into one buffer");
-      there = read_file(file.parent_path() / path).size();
+      try {
+        there = read_file(file.parent_path() / path).size();
+      } catch (const InputError& e) {
+        throw InputError(shown(file), fmt::format("its buffer '{}': {}", path, e.problem()), e.remedy());
+      }
       outside += there;
     }
     if (claimed > there)

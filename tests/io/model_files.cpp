@@ -62,11 +62,12 @@ const fs::path& directory() {
 
 fs::path write(const std::string& name, std::string_view bytes) {
   const fs::path file = directory() / name;
+  fs::remove(file);  // writing over a file makes some file systems wait for the disk
   std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   return file;
 }
 
-void expect_refused(const fs::path& file, std::string_view problem) {
+void expect_file_refused(const fs::path& file, std::string_view problem) {
   try {
     const Mesh mesh = read_mesh(file);
     ADD_FAILURE() << file << " gave a mesh of " << mesh.triangles.size() << " triangles";
@@ -80,7 +81,7 @@ void expect_refused(const fs::path& file, std::string_view problem) {
 
 void expect_refused(const std::string& name, std::string_view bytes, std::string_view problem) {
   SCOPED_TRACE(std::string(bytes.substr(0, 200)));
-  expect_refused(write(name, bytes), problem);
+  expect_file_refused(write(name, bytes), problem);
 }
 
 Polygons tetrahedron() {

@@ -28,7 +28,7 @@ inline Mesh read(const std::string& name, std::string_view bytes, ReadReport* re
 
 /// Expects InputError that names the file, says `problem` somewhere, and has a remedy.
 void expect_refused(const std::string& name, std::string_view bytes, std::string_view problem = "");
-void expect_refused(const std::filesystem::path& file, std::string_view problem = "");
+void expect_file_refused(const std::filesystem::path& file, std::string_view problem = "");
 
 /// Faces of any number of corners.
 struct Polygons {
