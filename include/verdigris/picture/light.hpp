@@ -19,12 +19,12 @@ struct LightSource {
 /// readable, and just enough gloss to tell convex from concave. A face square to the key light shows its own
 /// colour (sum of terms about 1).
 struct LightSettings {
-  float ambient = 0.20f;                                                           ///< Ka
+  float ambient = 0.22f;                                                           ///< Ka
   float diffuse = 0.80f;                                                           ///< Kd
   float specular = 0.12f;                                                          ///< Ks
   float shininess = 24.0f;                                                         ///< n
-  std::array<LightSource, 2> sources{LightSource{{-0.45f, 0.65f, 0.85f}, 1.0f},    // key
-                                     LightSource{{0.85f, -0.25f, 0.60f}, 0.22f}};  // fill
+  std::array<LightSource, 2> sources{LightSource{{-0.40f, 0.60f, 0.90f}, 1.0f},    // key
+                                     LightSource{{0.85f, -0.15f, 0.60f}, 0.28f}};  // fill
 };
 
 /// The same, turned into the world of one camera: what both the CPU and the shader compute with.
