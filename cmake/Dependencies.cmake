@@ -2,7 +2,6 @@
 find_package(PkgConfig REQUIRED)
 find_package(glm CONFIG REQUIRED)
 find_package(fmt CONFIG REQUIRED)
-find_package(spdlog CONFIG REQUIRED)
 find_package(TBB CONFIG REQUIRED)
 find_package(OpenMesh CONFIG REQUIRED) # has no version file
 find_package(TinyGLTF CONFIG REQUIRED)
@@ -12,6 +11,8 @@ find_package(embree 3 CONFIG REQUIRED)
 find_package(PNG REQUIRED)
 pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
 find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
+# Where it lies here is of no use to an installed verdigris: verdigrisConfig.cmake looks for it anew.
+set(RANDOM123_INCLUDE_DIR $<BUILD_INTERFACE:${RANDOM123_INCLUDE_DIR}>)
 if(VERDIGRIS_GL)
   pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
   pkg_check_modules(EGL REQUIRED IMPORTED_TARGET egl)

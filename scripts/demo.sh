@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# From a bare Debian 12 to pictures: installs what is missing, builds, and partitions two models.
+# scripts/demo.sh [DIRECTORY], by default out/ in the source tree.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+out=$(realpath -m "${1:-$root/out}")
+cd "$root"
+
+scripts/install.sh build demo
+cmake --preset release -DVERDIGRIS_TESTS=OFF
+cmake --build --preset release --target verdigris-cli
+
+verdigris=build/release/apps/verdigris/verdigris
+bunny=/usr/share/glmark2/models/bunny.obj
+[[ -f $bunny ]] || { echo "There is no $bunny: install glmark2-data" >&2; exit 1; }
+
+printf '\n'
+"$verdigris" info "$bunny"
+printf '\n'
+"$verdigris" voronoi "$bunny" --seeds 64 --cells 1M --seed 7 --out "$out/bunny"
+printf '\n'
+"$verdigris" voronoi meshes/cup.obj --seeds 24 --cells 1M --seed 7 --out "$out/cup"
+
+cat <<END
+
+Pictures:
+  $out/bunny/picture.png
+  $out/cup/picture.png
+Beside each:
+  cells.vtp     all cells with label, arrival and area, for ParaView and VTK
+  regions.csv   a row for each region: seed, cells, area, share
+  curve.csv     cells filled in each step
+  run.toml      repeats the run to the bit: $verdigris run $out/bunny/run.toml --out again
+Your own model:
+  $verdigris voronoi MODEL.obj --out my-regions
+END
