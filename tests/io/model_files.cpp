@@ -105,7 +105,7 @@ std::string obj(const Polygons& polygons) {
   for (const auto& p : polygons.positions) out += "v " + xyz(p) + "\n";
   for (const auto& face : polygons.faces) {
     out += "f";
-    for (const std::uint32_t v : face) out += " " + std::to_string(v + 1);
+    for (const std::uint32_t v : face) (out += ' ') += std::to_string(v + 1);
     out += "\n";
   }
   return out;
@@ -117,7 +117,7 @@ std::string off(const Polygons& polygons) {
   for (const auto& p : polygons.positions) out += xyz(p) + "\n";
   for (const auto& face : polygons.faces) {
     out += std::to_string(face.size());
-    for (const std::uint32_t v : face) out += " " + std::to_string(v);
+    for (const std::uint32_t v : face) (out += ' ') += std::to_string(v);
     out += "\n";
   }
   return out;

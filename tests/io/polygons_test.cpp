@@ -112,7 +112,7 @@ TEST(Polygons, RegularOnesOfManyCorners) {
 
 TEST(Polygons, OfTooManyCornersAreRefused) {
   std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf";
-  for (int i = 0; i < 10001; ++i) text += " " + std::to_string(i % 3 + 1);
+  for (int i = 0; i < 10001; ++i) (text += ' ') += std::to_string(i % 3 + 1);
   expect_refused("huge.obj", text, "10001 corners");
 }
 
