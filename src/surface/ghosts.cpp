@@ -86,8 +86,12 @@ class PatchGhosts {
   }
 
   std::optional<std::uint32_t> nearest(const Landing& landing, Joints& joints) const {
-    if (const auto cell = nearest_cell(rows_, unfolding_, landing.patch, landing.point, patch_, ghost_reach, ghost_patches))
-      return cell->slot;
+    const auto search = [&](std::uint32_t except) {
+      return nearest_cell(rows_, unfolding_, landing.patch, landing.point, except, ghost_reach, ghost_patches);
+    };
+    if (const auto cell = search(patch_)) return cell->slot;
+    // Over a shred of surface that owns no cell and leads nowhere else, the ghost repeats a cell of its own patch.
+    if (const auto cell = search(no_patch)) return cell->slot;
     ++joints.lost;
     return std::nullopt;
   }

@@ -37,7 +37,7 @@ class FrontStepper {
     std::vector<std::uint32_t> starts(sources.begin(), sources.end());
     if constexpr (MergingBehaviour<B>)
       if (surface_.link_kind() == LinkKind::projected) {
-        merges_ = merge_pairs(surface_.links(), behaviour_, state_, paired_slots(surface_.links()));
+        merges_ = merge_pairs(surface_, behaviour_, state_, paired_slots(surface_.links()));
         for (const auto& [slot, s] : merges_) {
           state_[slot] = s;
           starts.push_back(slot);
@@ -166,7 +166,7 @@ class FrontStepper {
     std::vector<std::uint32_t> sources;
     for (const Change& change : changes_) sources.push_back(change.slot);
     for (const auto& [slot, state] : merges_) sources.push_back(slot);
-    merges_ = merge_pairs(surface_.links(), behaviour_, state_, sources);
+    merges_ = merge_pairs(surface_, behaviour_, state_, sources);
     for (const auto& [slot, state] : merges_) {
       state_[slot] = state;
       if (behaviour_.settled(state)) marks_[slot >> 6] |= std::uint64_t{1} << (slot & 63);

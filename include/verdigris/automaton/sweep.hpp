@@ -85,7 +85,7 @@ class SweepStepper {
   std::uint64_t make_pairs_common() {
     if constexpr (MergingBehaviour<B>)
       if (surface_.link_kind() == LinkKind::projected) {
-        const auto merges = merge_pairs(surface_.links(), behaviour_, state_, paired_slots(surface_.links()));
+        const auto merges = merge_pairs(surface_, behaviour_, state_, paired_slots(surface_.links()));
         for (const auto& [slot, state] : merges) state_[slot] = state;
         return merges.size();
       }
