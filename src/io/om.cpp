@@ -5,7 +5,6 @@
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <cmath>
-#include <iostream>
 #include <mutex>
 #include <sstream>
 
@@ -23,18 +22,15 @@ using HalfEdges = OpenMesh::PolyMesh_ArrayKernelT<>;
 
 constexpr char remedy_topology[] = "the file may be damaged: write it again, or export as PLY";
 
-/// Sends what OpenMesh has to say to a string instead of the terminal while it lives.
+/// Sends what OpenMesh has to say to a string instead of the terminal while it lives. The stream's buffer is
+/// changed, since OpenMesh's own connect() and disconnect() leak and would forget what the caller has
+/// connected.
 class QuietOpenMesh {
  public:
-  QuietOpenMesh() {
-    omlog().disconnect(std::clog);
-    omerr().disconnect(std::cerr);
-    omerr().connect(said_);
-  }
+  QuietOpenMesh() : log_(swap(omlog(), said_.rdbuf())), error_(swap(omerr(), said_.rdbuf())) {}
   ~QuietOpenMesh() {
-    omerr().disconnect(said_);
-    omerr().connect(std::cerr);
-    omlog().connect(std::clog);
+    swap(omlog(), log_);
+    swap(omerr(), error_);
   }
   QuietOpenMesh(const QuietOpenMesh&) = delete;
   QuietOpenMesh& operator=(const QuietOpenMesh&) = delete;
@@ -42,7 +38,10 @@ class QuietOpenMesh {
   std::string said() const { return said_.str(); }
 
  private:
+  static std::streambuf* swap(std::ostream& stream, std::streambuf* buffer) { return stream.rdbuf(buffer); }
+
   std::ostringstream said_;
+  std::streambuf *log_, *error_;
 };
 
 HalfEdges read_half_edges(const OmChunks& chunks, Faults& faults) {
@@ -84,8 +83,12 @@ void take_vertices(const OmChunks& chunks, const HalfEdges& half_edges, Faults& 
     const bool from_file = v < chunks.vertices;
     if (!chunks.uvs.empty()) {
       const char* from = chunks.uvs.data() + 8 * v;
-      soup.vertex_uv.push_back(from_file ? glm::vec2(load<float>(from, false), load<float>(from + 4, false))
-                                         : glm::vec2(0.0F));
+      glm::vec2 uv(0.0F);
+      if (from_file) uv = glm::vec2(load<float>(from, false), load<float>(from + 4, false));
+      if (!std::isfinite(uv.x + uv.y) && !faults.known(remedy_not_finite))
+        faults.add(static_cast<std::size_t>(from - faults.text().data()),
+                   fmt::format("a texture coordinate of vertex {} is not finite", v), remedy_not_finite);
+      soup.vertex_uv.push_back(uv);
     }
     if (!chunks.colors.empty()) {
       const auto* rgb = reinterpret_cast<const unsigned char*>(chunks.colors.data() + 3 * v);
