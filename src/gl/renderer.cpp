@@ -179,6 +179,7 @@ Image SurfaceRenderer::draw(std::span<const Rgba8> slot_colours, const Camera& c
     const std::size_t last = std::min(first + wave, s.chunks.size());
     tbb::parallel_for(first, last, [&](std::size_t k) { s.prepare(s.chunks[k], slot_colours); });
     for (std::size_t k = first; k < last; ++k) s.draw_chunk(s.chunks[k]);
+    glFinish();  // or the driver keeps every wave's buffers until the picture is asked for
   }
   return s.target->resolve();
 }

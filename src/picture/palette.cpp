@@ -12,10 +12,10 @@ namespace {
 // Two rings of hues in Oklab (lightness near 0.62 and 0.76, chroma 0.05 to 0.11), warm ones a little stronger
 // than cold ones; chosen by eye for neighbours on a map, then moved apart until every two differed by 8.
 constexpr std::array<Rgba8, 16> regions{{
-    {183, 106, 50, 255},   // copper
-    {112, 160, 150, 255},  // verdigris
+    {181, 107, 58, 255},   // copper
+    {114, 161, 149, 255},  // verdigris
     {225, 191, 100, 255},  // brass
-    {86, 117, 156, 255},   // slate blue
+    {84, 112, 156, 255},   // slate blue
     {156, 194, 148, 255},  // sage
     {192, 99, 112, 255},   // oxide red
     {148, 196, 218, 255},  // mist
@@ -24,7 +24,7 @@ constexpr std::array<Rgba8, 16> regions{{
     {150, 110, 166, 255},  // plum
     {121, 168, 90, 255},   // moss
     {220, 155, 178, 255},  // rose
-    {30, 148, 168, 255},   // lagoon
+    {36, 145, 166, 255},   // lagoon
     {163, 160, 212, 255},  // lilac
     {192, 148, 56, 255},   // ochre
     {216, 196, 180, 255},  // limestone
@@ -38,6 +38,7 @@ std::span<const Rgba8> region_palette() {
 
 std::vector<Rgba8> assign_colours(std::int32_t count, std::span<const LabelPair> touching,
                                   std::span<const Rgba8> palette) {
+  constexpr float clear = 12.0f;   // neighbours should differ by so much whatever it costs
   constexpr float enough = 18.0f;  // beyond this difference a pair is simply different; evenness then decides
   const auto n = static_cast<std::size_t>(std::max(count, 0));
   const std::size_t colours = palette.size();
@@ -74,14 +75,14 @@ std::vector<Rgba8> assign_colours(std::int32_t count, std::span<const LabelPair>
       if (const std::uint8_t other = chosen[neighbours[k]]; other != none)
         for (std::size_t c = 0; c < colours; ++c)
           nearest[c] = std::min(nearest[c], difference[other * colours + c]);
-    // One use more than average costs as much as a difference of 3: the palette stays even, but never at the
+    // One use more than average costs as much as a difference of 2: the palette stays even, but never at the
     // price of equal neighbours.
     const float average = static_cast<float>(done) / static_cast<float>(colours);
     std::size_t best = 0;
     float best_score = -1e30f;
     for (std::size_t c = 0; c < colours; ++c) {
       const float excess = std::clamp(static_cast<float>(used[c]) - average, -4.0f, 4.0f);
-      const float score = nearest[c] - 3.0f * excess - (nearest[c] < 1.0f ? 1000.0f : 0.0f);
+      const float score = nearest[c] - 2.0f * excess - 20.0f * std::max(clear - nearest[c], 0.0f);
       if (score > best_score) best_score = score, best = c;
     }
     chosen[label] = static_cast<std::uint8_t>(best);
