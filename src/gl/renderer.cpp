@@ -4,6 +4,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <cassert>
 #include <glm/gtc/type_ptr.hpp>
 #include <optional>
 
@@ -158,6 +159,7 @@ std::string SurfaceRenderer::driver() const {
 
 Image SurfaceRenderer::draw(std::span<const Rgba8> slot_colours, const Camera& camera) {
   State& s = *state_;
+  assert(slot_colours.size() == s.builder.surface().slot_count());
   s.context.make_current();
   const int factor = std::clamp(s.options.supersampling, 1, 4);
   if (!s.target || s.target->width() != camera.width || s.target->height() != camera.height) {

@@ -179,6 +179,25 @@ TEST(Bands, OpenEdgesTakeNothingFromEmptySlots) {
   for (const Rgba8 c : out) ASSERT_EQ(c, (Rgba8{0, 80, 0, 255}));
 }
 
+TEST(Bands, TrianglesOfNoAreaAndWithoutCellsAreNoTrouble) {
+  Mesh mesh;  // a strip of which one triangle is flat and another far smaller than a cell
+  mesh.positions = {{0, 0, 0}, {4, 0, 0}, {2, 0, 0}, {2, 3, 0}, {4, 1e-3, 0}};
+  mesh.triangles = {{0, 2, 3}, {0, 1, 2}, {1, 4, 2}};
+  const Surface surface = surface_of(mesh, 200.0);
+  const BandMesh bands = builder_of(surface).build({0, 3});
+  double area = 0.0;
+  const std::vector<std::uint32_t> triangles = triangles_of(bands.indices);
+  for (std::size_t t = 0; t < triangles.size(); t += 3) {
+    const glm::dvec3 a = bands.positions[triangles[t]];
+    const glm::dvec3 b = bands.positions[triangles[t + 1]], c = bands.positions[triangles[t + 2]];
+    area += 0.5 * glm::length(glm::cross(b - a, c - a));
+  }
+  EXPECT_NEAR(area, mesh_area(mesh), 1e-5);
+  std::vector<Rgba8> out(bands.positions.size());
+  colour_bands(bands, std::vector<Rgba8>(surface.slot_count(), Rgba8{1, 2, 3, 255}), out);
+  for (const Rgba8 c : out) EXPECT_EQ(c, (Rgba8{1, 2, 3, 255}));
+}
+
 TEST(Bands, PackedNormalsKeepTheirDirection) {
   for (int k = 0; k < 5000; ++k) {
     const glm::vec3 n = glm::normalize(glm::vec3(std::sin(1.3f * static_cast<float>(k)),

