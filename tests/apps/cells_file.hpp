@@ -1,0 +1,22 @@
+#pragma once
+// cells.vtp and the tables, read back.
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+struct CellsFile {
+  std::vector<std::int32_t> label, arrival, patch;
+  std::vector<double> area;
+  std::vector<glm::dvec3> points;
+
+  std::size_t nearest(glm::dvec3 point) const;
+};
+
+/// Throws std::runtime_error for anything but the arrays that verdigris voronoi writes.
+CellsFile read_cells(const std::filesystem::path& file);
+
+/// The rows of a table of numbers, without its header line.
+std::vector<std::vector<double>> read_table(const std::filesystem::path& file);
