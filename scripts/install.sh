@@ -13,7 +13,7 @@ fail() {
 
 wanted=()
 while read -r group package _; do
-  [[ " $* " == *" $group "* ]] && wanted+=("$package")
+  [[ " $* " == *" $group "* && " ${wanted[*]} " != *" $package "* ]] && wanted+=("$package")
 done < "$list"
 
 if ! command -v dpkg-query apt-get > /dev/null; then
