@@ -193,11 +193,11 @@ class SurfaceBuilder {
 
   void make_row_hints() {
     auto& hint = surface_.row_hint_;
-    hint.resize(surface_.slot_count_ / 64 + 1);
+    hint.resize((surface_.slot_count_ >> Surface::hint_shift) + 1);
     const auto rows = surface_.rows();
     std::size_t row = 0;
     for (std::size_t k = 0; k < hint.size(); ++k) {
-      while (row + 1 < rows.size() && rows[row + 1].begin <= 64 * k) ++row;
+      while (row + 1 < rows.size() && rows[row + 1].begin <= k << Surface::hint_shift) ++row;
       hint[k] = static_cast<std::uint32_t>(row);
     }
   }

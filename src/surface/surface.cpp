@@ -9,13 +9,6 @@ std::size_t Surface::bytes() const {
          comp_in_.size() * sizeof(SlotRun) + row_hint_.size() * sizeof(std::uint32_t) + links_.bytes();
 }
 
-std::uint32_t Surface::row_of(std::uint32_t slot) const {
-  std::uint32_t row = row_hint_[slot >> 6];
-  const auto all = rows();
-  while (row + 1 < all.size() && all[row + 1].begin <= slot) ++row;
-  return row;
-}
-
 std::uint32_t Surface::patch_of_row(std::uint32_t row) const {
   // Patches without rows share their begin with the next one; the last of equals is the one that has the row.
   return static_cast<std::uint32_t>(std::upper_bound(row_begin_.begin(), row_begin_.end(), row) - row_begin_.begin() - 1);

@@ -48,6 +48,12 @@ concept FrontBehaviour =
       { b.waits(n) } -> std::same_as<bool>;
     };
 
+/// A FrontBehaviour whose states carry the step they were made in, so that a step may be done in place: `next` takes a
+/// neighbour that changed in this very step for what it was before, what changes is settled, and a cell beside a
+/// changed one waits.
+template <typename B>
+concept StampedBehaviour = FrontBehaviour<B> && B::stamped;
+
 /// A behaviour that can run on projected pairs: `merge(mine, theirs)` is what a cell becomes when the data of a pair is
 /// made common. Several partners must give the same in any order, and one partner twice the same as once.
 template <typename B>

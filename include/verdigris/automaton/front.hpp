@@ -1,6 +1,7 @@
 #pragma once
 // Growth from a front: only cells that can change are visited, each a bounded number of times in all.
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -18,8 +19,9 @@
 namespace verdigris {
 
 /// Runs a FrontBehaviour. A step evaluates the *candidates* (cells near a change, cells that wait), then applies the
-/// changes and makes their neighbours candidates; ghosts carry a change across edges at once. One state buffer, one
-/// bit a slot beside it. The same bits as SweepStepper. The surface must outlive it.
+/// changes and makes their neighbours candidates; ghosts carry a change across edges at once. A StampedBehaviour does both
+/// in one pass, while the cells are at hand. One state buffer, one bit a slot beside it. The same bits as SweepStepper.
+/// The surface must outlive it.
 template <FrontBehaviour B>
 class FrontStepper {
  public:
@@ -46,15 +48,19 @@ class FrontStepper {
     // A marked slot never becomes a candidate: it is one, it does not evolve, or it is settled.
     marks_.assign(surface_.slot_count() / 64 + 2, ~std::uint64_t{0});
     const auto rows = surface_.rows();
-    for (std::uint32_t r = 0; r < rows.size(); ++r)
-      for (std::uint32_t slot = rows[r].run_begin; slot < rows[r].run_end; ++slot)
-        if (!behaviour_.settled(state_[slot])) marks_[slot >> 6] &= ~(std::uint64_t{1} << (slot & 63));
+    for (const Row& row : rows) unmark_unsettled(row.run_begin, row.run_end);
     if (sources.empty()) {
+      // In place, only cells that wait may be candidates: a change beside any other makes it one.
       for (std::uint32_t r = 0; r < rows.size(); ++r)
         for (std::uint32_t slot = rows[r].run_begin; slot < rows[r].run_end; ++slot)
-          if (test_and_mark<false>(slot, 1u)) candidates_.push_back({r, slot});
+          if ((!StampedBehaviour<B> || behaviour_.waits(around({r, slot}))) && test_and_mark<false>(slot, 1u) != 0)
+            candidates_.push({r, slot});
     } else {
-      for (const std::uint32_t slot : starts) spread_from<false>(slot, surface_.row_of(slot), candidates_);
+      for (const std::uint32_t slot : starts) {
+        candidates_.reserve_more(most_marked);
+        mark_around<false, false>(slot, surface_.row_of(slot), candidates_);
+        spread_to_targets<false>(slot, candidates_);
+      }
     }
   }
 
@@ -65,7 +71,8 @@ class FrontStepper {
     if constexpr (SteppedBehaviour<B>) behaviour_.begin_step(step_ + 1);
     StepReport report{step_ + 1, 0, candidates_.size()};
     // Small fronts are done before a second thread wakes.
-    if (candidates_.size() < 2 * task_size || surface_.link_kind() == LinkKind::projected)
+    if (candidates_.size() < 2 * task_size || surface_.link_kind() == LinkKind::projected ||
+        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) == 1)
       serial_step(report);
     else
       parallel_step(report);
@@ -79,12 +86,18 @@ class FrontStepper {
   const B& behaviour() const { return behaviour_; }
   /// Bytes of state, marks and lists.
   std::size_t bytes() const {
-    return state_.capacity() * sizeof(State) + marks_.size() * 8 + candidates_.capacity() * sizeof(Place) +
-           changes_.capacity() * sizeof(Change) + next_.capacity() * sizeof(Place);
+    std::size_t sum = state_.capacity() * sizeof(State) + marks_.size() * sizeof(marks_[0]);
+    sum += candidates_.bytes() + next_.bytes() + changes_.bytes();
+    for (const auto& list : task_changes_) sum += list.bytes();
+    for (const auto& list : task_next_) sum += list.bytes();
+    return sum;
   }
 
  private:
   static constexpr std::size_t task_size = 4096;
+
+  static constexpr std::size_t most_marked = 9;  // a slot and its neighbours
+  static constexpr std::size_t ahead = 12;       // candidates fetched before their turn; flat from 8 to 24
 
   struct Place {
     std::uint32_t row, slot;
@@ -94,68 +107,184 @@ class FrontStepper {
     State state;
   };
 
+  // A list that is written without branches: room is made first, then elements are put and counted or not.
+  template <typename T>
+  class List {
+   public:
+    std::size_t size() const { return size_; }
+    bool empty() const { return size_ == 0; }
+    std::size_t bytes() const { return room_.size() * sizeof(T); }
+    void clear() { size_ = 0; }
+    void reserve_more(std::size_t more) {
+      if (room_.size() < size_ + more) room_.resize(std::max(size_ + more, room_.size() + room_.size() / 2));
+    }
+    void put_if(const T& value, bool counts) {
+      room_[size_] = value;
+      size_ += counts;
+    }
+    void push(const T& value) {
+      reserve_more(1);
+      put_if(value, true);
+    }
+    void append(const List& other) {
+      reserve_more(other.size_);
+      std::copy_n(other.room_.begin(), other.size_, room_.begin() + static_cast<std::ptrdiff_t>(size_));
+      size_ += other.size_;
+    }
+    template <typename Keep>
+    void keep_if(Keep&& keep) {
+      size_ = static_cast<std::size_t>(std::remove_if(room_.begin(), room_.begin() + static_cast<std::ptrdiff_t>(size_),
+                                                      [&](const T& t) { return !keep(t); }) -
+                                       room_.begin());
+    }
+    const T* begin() const { return room_.data(); }
+    const T* end() const { return room_.data() + size_; }
+
+   private:
+    std::vector<T> room_;
+    std::size_t size_ = 0;
+  };
+
   void serial_step(StepReport& report) {
     changes_.clear();
     next_.clear();
-    evaluate<false>(candidates_, changes_, next_);
-    apply<false>(changes_, next_);
-    report.changed = changes_.size();
+    if (in_place()) {
+      report.changed = advance<false>(candidates_.begin(), candidates_.end(), next_);
+    } else {
+      evaluate<false>(candidates_.begin(), candidates_.end(), changes_, next_);
+      apply<false>(changes_, next_);
+      report.changed = changes_.size();
+    }
     if constexpr (MergingBehaviour<B>)
       if (surface_.link_kind() == LinkKind::projected) report.changed += make_pairs_common();
-    candidates_.swap(next_);
+    std::swap(candidates_, next_);
   }
 
   void parallel_step(StepReport& report) {
     const std::size_t tasks = (candidates_.size() + task_size - 1) / task_size;
-    std::vector<std::vector<Change>> changes(tasks);
-    std::vector<std::vector<Place>> next(tasks);
+    task_changes_.resize(std::max(tasks, task_changes_.size()));
+    task_next_.resize(std::max(tasks, task_next_.size()));
+    std::vector<std::uint64_t> changed(tasks);
     tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
-      const std::size_t begin = task * task_size, end = std::min(candidates_.size(), begin + task_size);
-      evaluate<true>(std::span<const Place>(candidates_).subspan(begin, end - begin), changes[task], next[task]);
+      task_changes_[task].clear();
+      task_next_[task].clear();
+      const Place* begin = candidates_.begin() + task * task_size;
+      const Place* end = std::min(begin + task_size, candidates_.end());
+      if (in_place())
+        changed[task] = advance<true>(begin, end, task_next_[task]);
+      else
+        evaluate<true>(begin, end, task_changes_[task], task_next_[task]);
     });
-    tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) { apply<true>(changes[task], next[task]); });
+    if (!in_place())
+      tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
+        apply<true>(task_changes_[task], task_next_[task]);
+        changed[task] = task_changes_[task].size();
+      });
     candidates_.clear();
     for (std::size_t task = 0; task < tasks; ++task) {
-      report.changed += changes[task].size();
-      candidates_.insert(candidates_.end(), next[task].begin(), next[task].end());
+      report.changed += changed[task];
+      candidates_.append(task_next_[task]);
     }
+  }
+
+  // Pairs are merged from the states before a turn: those need the two passes.
+  bool in_place() const { return StampedBehaviour<B> && surface_.link_kind() == LinkKind::unfolded; }
+
+  // Base offsets wrap around: the pointers are formed from 32-bit slots.
+  Neighbourhood<State> around(const Place& place) const {
+    const Row* row = surface_.rows().data() + place.row;
+    const std::uint32_t column = place.slot - row->base;
+    const State* state = state_.data();
+    return {state + static_cast<std::uint32_t>(row[-1].base + column), state + place.slot,
+            state + static_cast<std::uint32_t>(row[1].base + column)};
+  }
+
+  // The rows' own cache lines come with the nearer fetch.
+  void fetch(const Place* place, const Place* end) const {
+    if (static_cast<std::size_t>(end - place) <= ahead) return;
+    __builtin_prefetch(state_.data() + place[ahead].slot, 1);
+    const auto n = around(place[ahead / 2]);
+    __builtin_prefetch(n.below);
+    __builtin_prefetch(n.above);
+  }
+
+  // One pass: evaluate, write, spread. Other threads may read a state while it is written; they take it for what it was
+  // before either way.
+  template <bool Shared>
+  std::uint64_t advance(const Place* begin, const Place* end, List<Place>& next) {
+    const Links& links = surface_.links();
+    constexpr std::ptrdiff_t block = 256;  // room is made block by block
+    std::uint64_t changed = 0;
+    while (begin != end) {
+      const Place* stop = begin + std::min(block, end - begin);
+      next.reserve_more(block * most_marked);
+      for (; begin != stop; ++begin) {
+        fetch(begin, end);
+        const Place place = *begin;
+        const State state = behaviour_.next(around(place), CellRandom(seed_, step_ + 1, place.slot));
+        if (state == state_[place.slot]) {
+          next.put_if(place, true);  // it waits
+          continue;
+        }
+        ++changed;
+        store<Shared>(place.slot, state);
+        mark_around<Shared, false>(place.slot, place.row, next);
+        if (links.is_source(place.slot)) {
+          const auto ghosts = links.targets(place.slot);
+          next.reserve_more((block + ghosts.size()) * most_marked);
+          for (const std::uint32_t ghost : ghosts) {
+            store<Shared>(ghost, state);
+            mark_around<Shared, true>(ghost, surface_.row_of(ghost), next);
+          }
+        }
+      }
+    }
+    return changed;
+  }
+
+  template <bool Shared>
+  void store(std::uint32_t slot, State state) {
+    if constexpr (Shared)
+      std::atomic_ref<State>(state_[slot]).store(state, std::memory_order_relaxed);
+    else
+      state_[slot] = state;
   }
 
   // Reads states only; the order of candidates cannot matter.
   template <bool Shared>
-  void evaluate(std::span<const Place> candidates, std::vector<Change>& changes, std::vector<Place>& waiting) {
-    const Row* rows = surface_.rows().data();
-    const State* state = state_.data();
-    for (const Place& place : candidates) {
-      const std::uint32_t column = place.slot - rows[place.row].base;
-      // Base offsets wrap around: the pointer is formed from the 32-bit slot.
-      const Neighbourhood<State> n{state + static_cast<std::uint32_t>((rows + place.row)[-1].base + column),
-                                   state + place.slot,
-                                   state + static_cast<std::uint32_t>(rows[place.row + 1].base + column)};
-      const State next = behaviour_.next(n, CellRandom(seed_, step_ + 1, place.slot));
-      if (next != *n.here) {
-        changes.push_back({place.row, place.slot, next});
-        if (!behaviour_.settled(next)) unmark<Shared>(place.slot);
-      } else if (behaviour_.waits(n)) {
-        waiting.push_back(place);
-      } else {
-        unmark<Shared>(place.slot);
-      }
+  void evaluate(const Place* begin, const Place* end, List<Change>& changes, List<Place>& waiting) {
+    const auto count = static_cast<std::size_t>(end - begin);
+    changes.reserve_more(count + 1);
+    waiting.reserve_more(count + 1);
+    for (const Place* place = begin; place != end; ++place) {
+      fetch(place, end);
+      const auto n = around(*place);
+      const State next = behaviour_.next(n, CellRandom(seed_, step_ + 1, place->slot));
+      const bool changed = next != *n.here;
+      const bool waits = !changed && behaviour_.waits(n);
+      changes.put_if({place->row, place->slot, next}, changed);
+      waiting.put_if(*place, waits);
+      if (!waits && !behaviour_.settled(next)) unmark<Shared>(place->slot);
     }
   }
 
   template <bool Shared>
-  void apply(const std::vector<Change>& changes, std::vector<Place>& next) {
+  void apply(const List<Change>& changes, List<Place>& next) {
     const bool unfolded = surface_.link_kind() == LinkKind::unfolded;
     const Links& links = surface_.links();
-    for (const Change& change : changes) {
-      state_[change.slot] = change.state;
-      mark_around<Shared>(change.slot, change.row, next);
-      if (unfolded)
-        for (const std::uint32_t ghost : links.targets(change.slot)) {
-          state_[ghost] = change.state;
-          mark_around<Shared>(ghost, surface_.row_of(ghost), next);
+    constexpr std::size_t block = 256;  // room is made block by block
+    for (const Change* change = changes.begin(); change != changes.end();) {
+      const Change* stop = change + std::min<std::size_t>(block, static_cast<std::size_t>(changes.end() - change));
+      next.reserve_more(block * most_marked);
+      for (; change != stop; ++change) {
+        state_[change->slot] = change->state;
+        mark_around<Shared, false>(change->slot, change->row, next);
+        if (unfolded && links.is_source(change->slot)) {
+          for (const std::uint32_t ghost : links.targets(change->slot)) state_[ghost] = change->state;
+          spread_to_targets<Shared>(change->slot, next);
+          next.reserve_more(block * most_marked);
         }
+      }
     }
   }
 
@@ -171,36 +300,43 @@ class FrontStepper {
       state_[slot] = state;
       if (behaviour_.settled(state)) marks_[slot >> 6] |= std::uint64_t{1} << (slot & 63);
     }
-    for (const auto& merge : merges_) mark_around<false>(merge.first, surface_.row_of(merge.first), next_);
+    for (const auto& merge : merges_) {
+      next_.reserve_more(most_marked);
+      mark_around<false, true>(merge.first, surface_.row_of(merge.first), next_);
+    }
     // A candidate that a partner settled is no candidate any more.
-    std::erase_if(next_, [&](const Place& place) { return behaviour_.settled(state_[place.slot]); });
+    next_.keep_if([&](const Place& place) { return !behaviour_.settled(state_[place.slot]); });
     return merges_.size();
   }
 
   template <bool Shared>
-  void spread_from(std::uint32_t slot, std::uint32_t row, std::vector<Place>& next) {
-    mark_around<Shared>(slot, row, next);
-    for (const std::uint32_t target : surface_.links().targets(slot))
-      mark_around<Shared>(target, surface_.row_of(target), next);
+  void spread_to_targets(std::uint32_t slot, List<Place>& next) {
+    const auto targets = surface_.links().targets(slot);
+    next.reserve_more((targets.size() + 1) * most_marked);
+    for (const std::uint32_t target : targets) mark_around<Shared, true>(target, surface_.row_of(target), next);
   }
 
-  // Makes the unmarked ones of a slot and its eight neighbours candidates.
-  template <bool Shared>
-  void mark_around(std::uint32_t slot, std::uint32_t row, std::vector<Place>& next) {
+  // Makes the unmarked ones of a slot and its eight neighbours candidates; `next` has room for them.
+  template <bool Shared, bool Ghost>
+  void mark_around(std::uint32_t slot, std::uint32_t row, List<Place>& next) {
     const Row* rows = surface_.rows().data() + row;
     const std::uint32_t column = slot - rows[0].base;
     for (int d = -1; d <= 1; ++d) {
-      // Around a ghost the row may end before the column: those slots belong to another row, and evolve there.
       const Row& r = rows[d];
-      std::uint32_t first = r.base + column - 1, wanted = 7u;
-      if (first - r.run_begin >= r.run_end - r.run_begin || first + 2 >= r.run_end) {
+      const std::uint32_t first = r.base + column - 1;
+      std::uint32_t wanted = 7;
+      if constexpr (Ghost) {
+        // Around a ghost the row may end before the column: those slots belong to another row, and may evolve there.
         wanted = 0;
         for (std::uint32_t k = 0; k < 3; ++k)
-          if (first + k - r.run_begin < r.run_end - r.run_begin) wanted |= 1u << k;
+          wanted |= static_cast<std::uint32_t>(first + k - r.run_begin < r.run_end - r.run_begin) << k;
         if (wanted == 0) continue;
       }
-      for (std::uint32_t fresh = test_and_mark<Shared>(first, wanted); fresh != 0; fresh &= fresh - 1)
-        next.push_back({row + static_cast<std::uint32_t>(d), first + static_cast<std::uint32_t>(std::countr_zero(fresh))});
+      const std::uint32_t fresh = test_and_mark<Shared>(first, wanted);
+      const std::uint32_t index = row + static_cast<std::uint32_t>(d);
+      next.put_if({index, first}, (fresh & 1u) != 0);
+      next.put_if({index, first + 1}, (fresh & 2u) != 0);
+      next.put_if({index, first + 2}, (fresh & 4u) != 0);
     }
   }
 
@@ -231,6 +367,16 @@ class FrontStepper {
     }
   }
 
+  void unmark_unsettled(std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t slot = begin; slot < end;) {
+      const std::uint32_t stop = std::min(end, (slot | 63u) + 1u);
+      std::uint64_t open = 0;
+      for (std::uint32_t s = slot; s < stop; ++s) open |= std::uint64_t{!behaviour_.settled(state_[s])} << (s & 63u);
+      marks_[slot >> 6] &= ~open;
+      slot = stop;
+    }
+  }
+
   template <bool Shared>
   void unmark(std::uint32_t slot) {
     const std::uint64_t keep = ~(std::uint64_t{1} << (slot & 63));
@@ -245,8 +391,10 @@ class FrontStepper {
   Field<State> state_;
   std::uint64_t seed_, step_;
   std::vector<std::uint64_t> marks_;  // [slot / 64]
-  std::vector<Place> candidates_, next_;
-  std::vector<Change> changes_;
+  List<Place> candidates_, next_;
+  List<Change> changes_;
+  std::vector<List<Change>> task_changes_;
+  std::vector<List<Place>> task_next_;
   Merges<State> merges_;  // what pairs made common in the last turn
 };
 

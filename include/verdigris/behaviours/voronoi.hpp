@@ -26,13 +26,14 @@ struct VoronoiRule {
   using State = Word;
   static constexpr Word empty = std::numeric_limits<Word>::max();
   static constexpr Word blocked = empty - 1;  ///< a barrier: never filled
+  static constexpr bool stamped = true;
   static constexpr std::uint32_t corner_purpose = 0x564f5201, tie_purpose = 0x564f5202;
 
   unsigned label_bits = 1;
   std::uint64_t corner_threshold = threshold(0.2071067811865476);
   std::vector<double> speed;         ///< [label], greatest 1; empty: all the same
   std::vector<std::uint8_t> moves;   ///< [label], this step; empty: all
-  Word arrival = 0;                  ///< of cells filled in this step
+  Word now = 0;                      ///< words filled in this step are at least this
 
   static unsigned bits_for(std::uint64_t labels) {
     unsigned bits = 1;
@@ -60,7 +61,7 @@ struct VoronoiRule {
   Word merge(Word mine, Word theirs) const { return mine == blocked || theirs == blocked ? mine : std::min(mine, theirs); }
 
   void begin_step(std::uint64_t step) {
-    arrival = static_cast<Word>(step);
+    now = word(step, 0);
     moves.resize(speed.size());
     for (std::size_t k = 0; k < speed.size(); ++k) {
       const double t = static_cast<double>(step);
@@ -68,33 +69,45 @@ struct VoronoiRule {
     }
   }
 
-  Word next(const Neighbourhood<Word>& n, const CellRandom& random) const {
-    if (*n.here != empty) return *n.here;
-    const Word side[4] = {n.here[-1], n.here[1], *n.below, *n.above};
-    Word least = std::min(std::min(side[0], side[1]), std::min(side[2], side[3]));
-    if (filled(least)) {
-      const Word label = choose(side, random);
-      if (label != empty) return static_cast<Word>(arrival << label_bits | label);
+  [[gnu::always_inline]] Word next(const Neighbourhood<Word>& n, const CellRandom& random) const {
+    if (const Word here = load(n.here); here != empty) return here;
+    const Word left = load(n.here - 1), right = load(n.here + 1), below = load(n.below), above = load(n.above);
+    const Word least = std::min(std::min(left, right), std::min(below, above));
+    if (spreads(least)) {
+      const Word label = least & label_mask();
+      const auto other = [&](Word w) { return spreads(w) & ((w & label_mask()) != label); };
+      // Nearly always all filled sides are of one label.
+      if (speed.empty() && !(other(left) | other(right) | other(below) | other(above))) return now | label;
+      const Word winner = choose({left, right, below, above}, random);
+      if (winner != empty) return now | winner;
     }
-    Word corner[4] = {n.below[-1], n.below[1], n.above[-1], n.above[1]};
-    least = std::min(std::min(corner[0], corner[1]), std::min(corner[2], corner[3]));
-    if (!filled(least)) return empty;
-    const auto word = random.words(corner_purpose);
-    for (std::size_t k = 0; k < 4; ++k)
-      if (word[k] >= corner_threshold) corner[k] = empty;
-    const Word label = choose(corner, random);
-    return label == empty ? empty : static_cast<Word>(arrival << label_bits | label);
+    return next_by_corners(n, random);
   }
 
  private:
+  // Filled before this step: a neighbour filled in it is not there yet.
+  bool spreads(Word w) const { return w < now; }
+  // Another thread may be filling this very cell: a plain move, but no race.
+  static Word load(const Word* cell) { return __atomic_load_n(cell, __ATOMIC_RELAXED); }
+  Word label_mask() const { return static_cast<Word>((Word{1} << label_bits) - 1); }
+
+  [[gnu::noinline]] Word next_by_corners(const Neighbourhood<Word>& n, const CellRandom& random) const {
+    Word corner[4] = {load(n.below - 1), load(n.below + 1), load(n.above - 1), load(n.above + 1)};
+    if (!spreads(std::min(std::min(corner[0], corner[1]), std::min(corner[2], corner[3])))) return empty;
+    const auto word = random.words(corner_purpose);
+    for (std::size_t k = 0; k < 4; ++k)
+      if (word[k] >= corner_threshold) corner[k] = empty;
+    const Word winner = choose(corner, random);
+    return winner == empty ? empty : now | winner;
+  }
+
   // The winning label among the filled candidates, or `empty` when none may spread now.
   Word choose(const Word (&candidates)[4], const CellRandom& random) const {
-    const Word mask = static_cast<Word>((Word{1} << label_bits) - 1);
     Word winner = empty;
     std::uint32_t winning = 0;
     for (const Word w : candidates) {
-      if (!filled(w)) continue;
-      const Word label = w & mask;
+      if (!spreads(w)) continue;
+      const Word label = w & label_mask();
       if (label == winner || (!moves.empty() && !moves[label])) continue;
       if (winner == empty) {
         winner = label;

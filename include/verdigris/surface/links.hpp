@@ -26,7 +26,7 @@ class Links {
   bool is_source(std::uint32_t slot) const { return (bits_[slot >> 6] >> (slot & 63)) & 1u; }
 
   /// The slots that repeat `slot`; empty for most.
-  std::span<const std::uint32_t> targets(std::uint32_t slot) const {
+  [[gnu::always_inline]] std::span<const std::uint32_t> targets(std::uint32_t slot) const {
     if (!is_source(slot)) return {};
     const std::uint64_t below = bits_[slot >> 6] & ((std::uint64_t{1} << (slot & 63)) - 1);
     const std::uint32_t k = rank_[slot >> 6] + static_cast<std::uint32_t>(std::popcount(below));

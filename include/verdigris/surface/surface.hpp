@@ -78,7 +78,12 @@ class Surface {
   /// Owned runs of all rows when links are projected; empty when unfolded, where run_begin and run_end tell.
   std::span<const SlotRun> owned_runs() const { return comp_in_; }
   /// Index into rows() of the row that holds `slot`.
-  std::uint32_t row_of(std::uint32_t slot) const;
+  std::uint32_t row_of(std::uint32_t slot) const {
+    std::uint32_t row = row_hint_[slot >> hint_shift];
+    // A row's successor always exists: the empty one after the last.
+    while (rows_[row + 2].begin <= slot) ++row;
+    return row;
+  }
   /// Patch that holds row `row`.
   std::uint32_t patch_of_row(std::uint32_t row) const;
   CellRef cell(std::uint32_t slot) const;
@@ -104,7 +109,8 @@ class Surface {
   std::vector<std::uint32_t> row_begin_;    // [patch], one more at the end
   std::vector<Row> rows_;                   // one before, one after
   std::vector<SlotRun> comp_in_;            // [row], projected only
-  std::vector<std::uint32_t> row_hint_;     // [slot / 64] row of slot 64 k
+  static constexpr unsigned hint_shift = 5;
+  std::vector<std::uint32_t> row_hint_;     // [slot / 32] row of slot 32 k
   Links links_;
 };
 
