@@ -53,6 +53,8 @@ struct Buffers {
   }
 };
 
+constexpr std::size_t flight_bytes = std::size_t{32} << 20;
+
 // A range of the surface on its way to the screen.
 struct Chunk {
   BandRange range;
@@ -75,7 +77,7 @@ struct SurfaceRenderer::State {
   std::optional<gl::Target> target;
   int target_samples = 0;
   std::vector<Chunk> chunks;
-  std::size_t cached = 0;
+  std::size_t cached = 0, in_flight = 0;
 
   State(const Surface& s, const RenderOptions& o)
       : options(o), builder(s, corner_normals(s.mesh(), s.adjacency(), o.crease_angle)) {
@@ -129,6 +131,8 @@ void SurfaceRenderer::State::prepare(Chunk& chunk, std::span<const Rgba8> slot_c
 }
 
 void SurfaceRenderer::State::draw_chunk(Chunk& chunk) {
+  in_flight += sizeof(Rgba8) * chunk.vertices;
+  if (!chunk.kept) in_flight += chunk.bands.bytes() + sizeof(std::uint32_t) * chunk.triangles.size();
   if (chunk.kept) {
     chunk.kept->draw(chunk.colours);
   } else if (const std::size_t bytes = chunk.bands.bytes() + 4 * (chunk.vertices + chunk.triangles.size());
@@ -181,7 +185,12 @@ Image SurfaceRenderer::draw(std::span<const Rgba8> slot_colours, const Camera& c
     const std::size_t last = std::min(first + wave, s.chunks.size());
     tbb::parallel_for(first, last, [&](std::size_t k) { s.prepare(s.chunks[k], slot_colours); });
     for (std::size_t k = first; k < last; ++k) s.draw_chunk(s.chunks[k]);
-    glFinish();  // or the driver keeps every wave's buffers until the picture is asked for
+    // Or the driver keeps all that passes through until the picture is asked for. Not each time: Mesa's
+    // software renderer then reads and writes the whole image once more.
+    if (s.in_flight > flight_bytes) {
+      glFinish();
+      s.in_flight = 0;
+    }
   }
   return s.target->resolve();
 }
