@@ -16,7 +16,7 @@ while read -r group package _; do
   [[ " $* " == *" $group "* && " ${wanted[*]} " != *" $package "* ]] && wanted+=("$package")
 done < "$list"
 
-if ! command -v dpkg-query apt-get > /dev/null; then
+if ! command -v dpkg-query > /dev/null || ! command -v apt-get > /dev/null; then
   fail "No dpkg-query and apt-get here: this is not Debian or one of its kin." \
     "Install the equivalents of these packages, then call again with VERDIGRIS_INSTALL=0:" "  ${wanted[*]}"
 fi
