@@ -45,7 +45,8 @@ void write_picture(const std::filesystem::path& file, const Surface& surface, co
   const std::vector<Rgba8> colours =
       labels ? colour_labels(surface, values, label_colours(surface, values), LabelStyle{.outlines = plan.outline})
              : scalar_colours(surface, values);
-  write_png(render(surface, colours, camera), file);
+  // One picture: geometry is not kept for a next one.
+  write_png(render(surface, colours, camera, RenderOptions{.cache_bytes = 0}), file);
 }
 
 #else

@@ -66,7 +66,9 @@ Field<float> file_values(const Surface& surface, std::span<const double> values,
       on_triangle[t] = values[mesh.face_of_triangle.empty() ? t : mesh.face_of_triangle[t]];
     return spread_triangle_values(surface, on_triangle);
   }
-  throw InputError(where, fmt::format("{} values; the model has {} vertices and {} faces", values.size(), file_vertices, file_faces),
+  throw InputError(where,
+                   fmt::format("{} values; the model has {} vertices and {} faces", values.size(),
+                               file_vertices, file_faces),
                    "give one value for each vertex or one for each face of the model file, in its order");
 }
 

@@ -12,7 +12,9 @@ glm::dvec2 Frame::to_plane(glm::dvec3 p) const {
   return {glm::dot(d, u), glm::dot(d, v)};
 }
 
-glm::dvec3 Frame::normal() const { return glm::cross(u, v); }
+glm::dvec3 Frame::normal() const {
+  return glm::cross(u, v);
+}
 
 Frame make_frame(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   const glm::dvec3 corner[3] = {a, b, c};

@@ -1,5 +1,5 @@
-// Ghost links by unfolding: a cell beyond an edge copies the owned cell nearest to where it comes to lie when the
-// neighbouring triangle is turned about the shared edge into the plane.
+// Ghost links by unfolding: a cell beyond an edge copies the owned cell nearest to where it comes to lie when
+// the neighbouring triangle is turned about the shared edge into the plane.
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,8 @@ struct Columns {
 };
 
 Columns columns_of(const Row& row) {
-  return {static_cast<std::int32_t>(row.run_begin - row.base), static_cast<std::int32_t>(row.run_end - row.base)};
+  return {static_cast<std::int32_t>(row.run_begin - row.base),
+          static_cast<std::int32_t>(row.run_end - row.base)};
 }
 
 bool within(const Columns& run, std::int32_t column, std::int32_t margin) {
@@ -30,7 +31,11 @@ bool within(const Columns& run, std::int32_t column, std::int32_t margin) {
 class PatchGhosts {
  public:
   PatchGhosts(const PatchRows& rows, const Unfolding& unfolding, std::uint32_t patch)
-      : rows_(rows), unfolding_(unfolding), patch_(patch), frame_(unfolding.frame(patch)), h_(rows.cell_size) {
+      : rows_(rows),
+        unfolding_(unfolding),
+        patch_(patch),
+        frame_(unfolding.frame(patch)),
+        h_(rows.cell_size) {
     for (int k = 0; k < 3; ++k) {
       across_[k] = unfolding.across(patch, k);
       if (across_[k] != Adjacency::none)
@@ -43,7 +48,8 @@ class PatchGhosts {
   }
 
   // The source of the ghost at (row, column). `near` are the runs of the rows below, at and above it.
-  std::optional<std::uint32_t> source(std::int32_t row, std::int32_t column, const Columns (&near)[3], Joints& joints) const {
+  std::optional<std::uint32_t> source(std::int32_t row, std::int32_t column, const Columns (&near)[3],
+                                      Joints& joints) const {
     const glm::dvec2 p{(column + 0.5) * h_, (row + 0.5) * h_};
     int exit = 0, beyond = 0;
     double farthest = -1e300;
@@ -87,10 +93,12 @@ class PatchGhosts {
 
   std::optional<std::uint32_t> nearest(const Landing& landing, Joints& joints) const {
     const auto search = [&](std::uint32_t except) {
-      return nearest_cell(rows_, unfolding_, landing.patch, landing.point, except, ghost_reach, ghost_patches);
+      return nearest_cell(rows_, unfolding_, landing.patch, landing.point, except, ghost_reach,
+                          ghost_patches);
     };
     if (const auto cell = search(patch_)) return cell->slot;
-    // Over a shred of surface that owns no cell and leads nowhere else, the ghost repeats a cell of its own patch.
+    // Over a shred of surface that owns no cell and leads nowhere else, the ghost repeats a cell of its own
+    // patch.
     if (const auto cell = search(no_patch)) return cell->slot;
     ++joints.lost;
     return std::nullopt;
@@ -121,7 +129,8 @@ void find_ghosts(const PatchRows& rows, const Unfolding& unfolding, std::uint32_
   for (std::uint32_t index = first; index < last; ++index) {
     const Row& row = rows.rows[index];
     const std::int32_t grid_row = static_cast<std::int32_t>(index - first) - 1;
-    const Columns near[3] = {index > first ? columns_of(rows.rows[index - 1]) : Columns{0, 0}, columns_of(row),
+    const Columns near[3] = {index > first ? columns_of(rows.rows[index - 1]) : Columns{0, 0},
+                             columns_of(row),
                              index + 1 < last ? columns_of(rows.rows[index + 1]) : Columns{0, 0}};
     const auto begin = static_cast<std::int32_t>(row.begin - row.base);
     const auto end = begin + static_cast<std::int32_t>(rows.rows[index + 1].begin - row.begin);
@@ -132,7 +141,8 @@ void find_ghosts(const PatchRows& rows, const Unfolding& unfolding, std::uint32_
       }
       if (!within(near[0], column, 1) && !within(near[1], column, 1) && !within(near[2], column, 1)) continue;
       if (const auto source = ghosts.source(grid_row, column, near, joints))
-        joints.pairs.push_back(std::uint64_t{*source} << 32 | (row.base + static_cast<std::uint32_t>(column)));
+        joints.pairs.push_back(std::uint64_t{*source} << 32 |
+                               (row.base + static_cast<std::uint32_t>(column)));
     }
   }
 }

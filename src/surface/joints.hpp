@@ -20,8 +20,8 @@ struct Joints {
 void find_ghosts(const PatchRows& rows, const Unfolding& unfolding, std::uint32_t patch, Joints& joints);
 
 /// Pairs across the edges of `patch` whose half-edge is the lower of the two (Gobron & Chiba 1999, "Edge
-/// Communication"): each cell that the edge crosses with the cell on the other side whose projection on the edge is
-/// nearest, both ways. Appends to `joints`, each pair in both directions.
+/// Communication"): each cell that the edge crosses with the cell on the other side whose projection on the
+/// edge is nearest, both ways. Appends to `joints`, each pair in both directions.
 void find_edge_pairs(const PatchRows& rows, const Unfolding& unfolding, std::uint32_t patch, Joints& joints);
 
 }  // namespace verdigris

@@ -25,8 +25,8 @@ Links::Links(std::size_t slot_count, std::span<const std::uint64_t> sorted_pairs
 }
 
 std::size_t Links::bytes() const {
-  return bits_.size() * sizeof(bits_[0]) + rank_.size() * sizeof(rank_[0]) + offset_.size() * sizeof(offset_[0]) +
-         targets_.size() * sizeof(targets_[0]);
+  return bits_.size() * sizeof(bits_[0]) + rank_.size() * sizeof(rank_[0]) +
+         offset_.size() * sizeof(offset_[0]) + targets_.size() * sizeof(targets_[0]);
 }
 
 }  // namespace verdigris

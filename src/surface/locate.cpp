@@ -26,12 +26,14 @@ glm::dvec3 nearest_on_triangle(glm::dvec3 p, glm::dvec3 a, glm::dvec3 b, glm::dv
   const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
   if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return a + ab * (d1 / (d1 - d3));
   if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return a + ac * (d2 / (d2 - d6));
-  if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
+  if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0)
+    return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
   const double sum = va + vb + vc;
   return a + ab * (vb / sum) + ac * (vc / sum);
 }
 
-// Embree culls in float; distances are then measured in double, so that the answer does not depend on its build.
+// Embree culls in float; distances are then measured in double, so that the answer does not depend on its
+// build.
 class TriangleTree {
  public:
   explicit TriangleTree(const Mesh& mesh) : mesh_(mesh) {
@@ -42,10 +44,10 @@ class TriangleTree {
     device_.reset(rtcNewDevice(nullptr));
     if (!device_) throw std::runtime_error("Embree found no usable instruction set");
     RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* vertex = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                               3 * sizeof(float), mesh.positions.size()));
-    auto* index = static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                                 3 * sizeof(unsigned), mesh.triangles.size()));
+    auto* vertex = static_cast<float*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.positions.size()));
+    auto* index = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), mesh.triangles.size()));
     if (vertex == nullptr || index == nullptr) throw std::bad_alloc();
     for (const glm::dvec3& position : mesh.positions) {
       const glm::dvec3 p = scaled(position);
@@ -89,7 +91,8 @@ class TriangleTree {
     Query& query = *static_cast<Query*>(arguments->userPtr);
     const std::uint32_t t = arguments->primID;
     const Mesh& mesh = query.tree->mesh_;
-    const glm::dvec3 on = nearest_on_triangle(query.point, mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
+    const glm::dvec3 on =
+        nearest_on_triangle(query.point, mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
     const double distance = glm::length(query.point - on);
     if (distance < query.best.distance || (distance == query.best.distance && t < query.best.triangle)) {
       query.best = {t, on, distance};
@@ -118,7 +121,8 @@ class TriangleTree {
 
 std::vector<LocatedCell> locate(const Surface& surface, std::span<const glm::dvec3> points) {
   if (surface.owned_count() == 0)
-    throw InputError("cell size", "the surface owns no cell: every triangle is smaller than a cell", "use smaller cells");
+    throw InputError("cell size", "the surface owns no cell: every triangle is smaller than a cell",
+                     "use smaller cells");
   const TriangleTree tree(surface.mesh());
   const PatchRows rows{surface.rows(), surface.row_begins(), surface.owned_runs(), surface.cell_size()};
   const std::vector<bool> no_barrier;
@@ -134,8 +138,9 @@ std::vector<LocatedCell> locate(const Surface& surface, std::span<const glm::dve
     for (double reach = 2.5; !cell && reach < 1e6; reach *= 4.0)
       cell = nearest_cell(rows, unfolding, hit.triangle, p, no_patch, reach, std::size_t{1} << 16);
     if (!cell)
-      throw InputError("", "no cell near the point (" + std::to_string(point.x) + ", " + std::to_string(point.y) + ", " +
-                               std::to_string(point.z) + "): the triangles there are smaller than a cell",
+      throw InputError("",
+                       "no cell near the point (" + std::to_string(point.x) + ", " + std::to_string(point.y) +
+                           ", " + std::to_string(point.z) + "): the triangles there are smaller than a cell",
                        "use smaller cells, or move the point");
     cells.push_back({cell->slot, hit.distance});
   }

@@ -25,7 +25,9 @@ double physical_memory() {
   return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-std::string clean_size(double size) { return fmt::format("{:.4g}", size); }
+std::string clean_size(double size) {
+  return fmt::format("{:.4g}", size);
+}
 
 // Refuses what cannot be built before any memory is taken.
 void check(const Mesh& mesh, const SurfaceOptions& options) {
@@ -36,21 +38,26 @@ void check(const Mesh& mesh, const SurfaceOptions& options) {
     throw InputError("", "more than 1.3e9 triangles", "split the model");
   const double area = mesh_area(mesh);
   if (!(area > 0.0) || !std::isfinite(area))
-    throw InputError("", fmt::format("the mesh has an area of {}", area), "choose a model with faces of finite, positive area");
+    throw InputError("", fmt::format("the mesh has an area of {}", area),
+                     "choose a model with faces of finite, positive area");
   if (!(h > 0.0) || !std::isfinite(h))
     throw InputError("cell size", fmt::format("{} is not a positive length", h),
-                     fmt::format("give a length in model units; {} makes about a million cells", clean_size(cell_size_for(mesh, 1e6))));
+                     fmt::format("give a length in model units; {} makes about a million cells",
+                                 clean_size(cell_size_for(mesh, 1e6))));
   const SurfaceEstimate estimate = estimate_surface(mesh, h);
   const double memory = physical_memory();
   // The fields of a simulation come on top: 8 bytes a slot.
   const double need = estimate.bytes + 8.0 * estimate.slots;
   if (estimate.slots < 0.98 * static_cast<double>(most_slots) && need < memory) return;
-  const double scale = std::max(estimate.slots / (0.9 * static_cast<double>(most_slots)), need / (0.8 * memory));
-  throw InputError("cell size",
-                   fmt::format("{} would make {:.3g} cells and take {:.3g} GB; this machine has {:.3g} GB and a surface holds "
-                               "at most {:.3g} cells",
-                               clean_size(h), estimate.cells, need / 1e9, memory / 1e9, static_cast<double>(most_slots)),
-                   fmt::format("use cells of {} model units or larger", clean_size(h * std::sqrt(scale))));
+  const double scale =
+      std::max(estimate.slots / (0.9 * static_cast<double>(most_slots)), need / (0.8 * memory));
+  throw InputError(
+      "cell size",
+      fmt::format(
+          "{} would make {:.3g} cells and take {:.3g} GB; this machine has {:.3g} GB and a surface holds "
+          "at most {:.3g} cells",
+          clean_size(h), estimate.cells, need / 1e9, memory / 1e9, static_cast<double>(most_slots)),
+      fmt::format("use cells of {} model units or larger", clean_size(h * std::sqrt(scale))));
 }
 
 struct PatchSize {
@@ -61,9 +68,10 @@ struct PatchSize {
 
 class SurfaceBuilder {
  public:
-  SurfaceBuilder(Mesh mesh, const SurfaceOptions& options) : projected_(options.links == LinkKind::projected) {
+  SurfaceBuilder(Mesh mesh, Adjacency adjacency, const SurfaceOptions& options)
+      : projected_(options.links == LinkKind::projected) {
     surface_.mesh_ = std::make_shared<const Mesh>(std::move(mesh));
-    surface_.adjacency_ = std::make_shared<const Adjacency>(make_adjacency(*surface_.mesh_));
+    surface_.adjacency_ = std::make_shared<const Adjacency>(std::move(adjacency));
     surface_.cell_size_ = options.cell_size;
     surface_.link_kind_ = options.links;
     make_frames();
@@ -88,7 +96,9 @@ class SurfaceBuilder {
   void make_frames() {
     const Mesh& mesh = *surface_.mesh_;
     surface_.frames_.resize(mesh.triangles.size());
-    for_patches([&](std::size_t t) { surface_.frames_[t] = make_frame(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)); });
+    for_patches([&](std::size_t t) {
+      surface_.frames_[t] = make_frame(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
+    });
   }
 
   void mark_creases(double degrees) {
@@ -98,7 +108,8 @@ class SurfaceBuilder {
     barrier_.assign(opposite.size(), false);
     for (std::size_t e = 0; e < opposite.size(); ++e)
       if (opposite[e] != Adjacency::none)
-        barrier_[e] = glm::dot(surface_.frames_[e / 3].normal(), surface_.frames_[opposite[e] / 3].normal()) < least_cosine;
+        barrier_[e] = glm::dot(surface_.frames_[e / 3].normal(), surface_.frames_[opposite[e] / 3].normal()) <
+                      least_cosine;
   }
 
   // A centre on the edge itself belongs to the triangle of lower index: one owner, and no bias in the count.
@@ -115,7 +126,9 @@ class SurfaceBuilder {
   template <typename Visit>
   bool visit_rows(std::size_t patch, Visit&& visit) const {
     const TriangleScan triangle = scan(patch);
-    const auto run = [&](std::int32_t row) { return projected_ ? triangle.active(row) : triangle.comp_in(row); };
+    const auto run = [&](std::int32_t row) {
+      return projected_ ? triangle.active(row) : triangle.comp_in(row);
+    };
     // Rows at the tip may own nothing.
     std::int32_t count = triangle.row_count();
     while (count > 0 && run(count - 1).empty()) --count;
@@ -124,7 +137,8 @@ class SurfaceBuilder {
     for (std::int32_t row = -1; row <= count; ++row) {
       ColumnRun stored{std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::min()};
       for (const ColumnRun& near : {below, here, above})
-        if (!near.empty()) stored = {std::min(stored.begin, near.begin - 1), std::max(stored.end, near.end + 1)};
+        if (!near.empty())
+          stored = {std::min(stored.begin, near.begin - 1), std::max(stored.end, near.end + 1)};
       if (stored.begin > stored.end) stored = {0, 0};  // a gap near a needle's tip
       visit(here, projected_ ? triangle.comp_in(row) : here, stored);
       below = here;
@@ -158,7 +172,8 @@ class SurfaceBuilder {
       slots += size[patch].slots;
       owned += size[patch].owned;
       if (slots > most_slots)
-        throw InputError("cell size", fmt::format("{} makes more than {} cells", surface_.cell_size_, most_slots),
+        throw InputError("cell size",
+                         fmt::format("{} makes more than {} cells", surface_.cell_size_, most_slots),
                          "use larger cells");
     }
     surface_.row_begin_[patches] = static_cast<std::uint32_t>(rows);
@@ -171,7 +186,9 @@ class SurfaceBuilder {
     for_patches([&](std::size_t patch) {
       std::uint32_t slot = slot_begin[patch], row = surface_.row_begin_[patch];
       visit_rows(patch, [&](ColumnRun run, ColumnRun owned_run, ColumnRun stored) {
-        const auto at = [&](std::int32_t column) { return slot + static_cast<std::uint32_t>(column - stored.begin); };
+        const auto at = [&](std::int32_t column) {
+          return slot + static_cast<std::uint32_t>(column - stored.begin);
+        };
         Row& r = surface_.rows_[row + 1];
         r.begin = slot;
         r.base = at(0);
@@ -206,14 +223,17 @@ class SurfaceBuilder {
     const std::size_t patches = surface_.patch_count();
     // rows[i + 1] of the last row of a patch is the next patch's first, or the row after the last.
     const PatchRows rows{{surface_.rows_.data() + 1, surface_.rows_.size() - 1},
-                         surface_.row_begin_, surface_.comp_in_, surface_.cell_size_};
+                         surface_.row_begin_,
+                         surface_.comp_in_,
+                         surface_.cell_size_};
     const Unfolding unfolding(surface_.frames_, *surface_.adjacency_, barrier_);
     const std::size_t tasks = (patches + patches_a_task - 1) / patches_a_task;
     std::vector<Joints> joints(tasks);
     tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
       const std::size_t last = std::min(patches, (task + 1) * patches_a_task);
       for (std::size_t patch = task * patches_a_task; patch < last; ++patch)
-        (projected_ ? find_edge_pairs : find_ghosts)(rows, unfolding, static_cast<std::uint32_t>(patch), joints[task]);
+        (projected_ ? find_edge_pairs : find_ghosts)(rows, unfolding, static_cast<std::uint32_t>(patch),
+                                                     joints[task]);
     });
     std::size_t count = 0;
     for (const Joints& j : joints) {
@@ -245,10 +265,18 @@ class SurfaceBuilder {
 
 Surface make_surface(Mesh mesh, const SurfaceOptions& options) {
   check(mesh, options);
-  return SurfaceBuilder(std::move(mesh), options).build();
+  Adjacency adjacency = make_adjacency(mesh);
+  return SurfaceBuilder(std::move(mesh), std::move(adjacency), options).build();
 }
 
-double cell_size_for(const Mesh& mesh, double cells) { return std::sqrt(mesh_area(mesh) / cells); }
+Surface make_surface(Mesh mesh, Adjacency adjacency, const SurfaceOptions& options) {
+  check(mesh, options);
+  return SurfaceBuilder(std::move(mesh), std::move(adjacency), options).build();
+}
+
+double cell_size_for(const Mesh& mesh, double cells) {
+  return std::sqrt(mesh_area(mesh) / cells);
+}
 
 SurfaceEstimate estimate_surface(const Mesh& mesh, double cell_size) {
   SurfaceEstimate total;

@@ -46,7 +46,8 @@ void search_patch(const PatchRows& rows, std::uint32_t patch, glm::dvec2 point, 
     const SlotRun run = rows.owned(index);
     if (run.begin == run.end) continue;
     const std::uint32_t base = rows.rows[index].base;
-    const auto begin = static_cast<std::int32_t>(run.begin - base), end = static_cast<std::int32_t>(run.end - base);
+    const auto begin = static_cast<std::int32_t>(run.begin - base),
+               end = static_cast<std::int32_t>(run.end - base);
     const double column = std::clamp(std::floor(x + 0.5), static_cast<double>(begin), end - 1.0);
     const double dx = column - x, dy = static_cast<double>(row) - y;
     best.take(dx * dx + dy * dy, base + static_cast<std::uint32_t>(static_cast<std::int32_t>(column)));
@@ -55,9 +56,9 @@ void search_patch(const PatchRows& rows, std::uint32_t patch, glm::dvec2 point, 
 
 }  // namespace
 
-std::optional<NearestCell> nearest_cell(const PatchRows& rows, const Unfolding& unfolding, std::uint32_t patch,
-                                        glm::dvec2 point, std::uint32_t except, double reach,
-                                        std::size_t most_patches) {
+std::optional<NearestCell> nearest_cell(const PatchRows& rows, const Unfolding& unfolding,
+                                        std::uint32_t patch, glm::dvec2 point, std::uint32_t except,
+                                        double reach, std::size_t most_patches) {
   Best best{reach * reach};
   if (patch != except) search_patch(rows, patch, point, best);
   // The cell around the point is owned: nothing better is asked for.

@@ -30,11 +30,11 @@ struct NearestCell {
 
 constexpr std::uint32_t no_patch = 0xFFFFFFFFu;
 
-/// Searches `patch` and, where it has no cell close by, the patches around it, all unfolded into its plane; `point` is
-/// in that plane. Never looks into `except`, nor past barriers, nor farther than `reach` cells or `most_patches`.
-/// Equal distances: the lowest slot.
-std::optional<NearestCell> nearest_cell(const PatchRows& rows, const Unfolding& unfolding, std::uint32_t patch,
-                                        glm::dvec2 point, std::uint32_t except, double reach,
-                                        std::size_t most_patches);
+/// Searches `patch` and, where it has no cell close by, the patches around it, all unfolded into its plane;
+/// `point` is in that plane. Never looks into `except`, nor past barriers, nor farther than `reach` cells or
+/// `most_patches`. Equal distances: the lowest slot.
+std::optional<NearestCell> nearest_cell(const PatchRows& rows, const Unfolding& unfolding,
+                                        std::uint32_t patch, glm::dvec2 point, std::uint32_t except,
+                                        double reach, std::size_t most_patches);
 
 }  // namespace verdigris

@@ -6,7 +6,8 @@
 
 namespace verdigris {
 
-/// Stable sort of (source << 32 | target) pairs by source. Linear time; needs as much memory again while it runs.
+/// Stable sort of (source << 32 | target) pairs by source. Linear time; needs as much memory again while it
+/// runs.
 void sort_by_source(std::vector<std::uint64_t>& pairs, std::uint64_t source_count);
 
 }  // namespace verdigris

@@ -6,11 +6,13 @@
 namespace verdigris {
 
 namespace {
-// A centre this near to an edge, in cells, lies on it. Far above rounding, so that both triangles at an edge agree
-// where their grids line up; far below anything a cell resolves.
+// A centre this near to an edge, in cells, lies on it. Far above rounding, so that both triangles at an edge
+// agree where their grids line up; far below anything a cell resolves.
 constexpr double on_edge = 1e-3;
 
-std::int32_t ceil_to_column(double x) { return static_cast<std::int32_t>(std::ceil(x)); }
+std::int32_t ceil_to_column(double x) {
+  return static_cast<std::int32_t>(std::ceil(x));
+}
 }  // namespace
 
 TriangleScan::TriangleScan(const Frame& frame, double cell_size, bool owns_bc, bool owns_ca)

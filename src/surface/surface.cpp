@@ -5,13 +5,15 @@
 namespace verdigris {
 
 std::size_t Surface::bytes() const {
-  return frames_.size() * sizeof(Frame) + row_begin_.size() * sizeof(std::uint32_t) + rows_.size() * sizeof(Row) +
-         comp_in_.size() * sizeof(SlotRun) + row_hint_.size() * sizeof(std::uint32_t) + links_.bytes();
+  return frames_.size() * sizeof(Frame) + row_begin_.size() * sizeof(std::uint32_t) +
+         rows_.size() * sizeof(Row) + comp_in_.size() * sizeof(SlotRun) +
+         row_hint_.size() * sizeof(std::uint32_t) + links_.bytes();
 }
 
 std::uint32_t Surface::patch_of_row(std::uint32_t row) const {
   // Patches without rows share their begin with the next one; the last of equals is the one that has the row.
-  return static_cast<std::uint32_t>(std::upper_bound(row_begin_.begin(), row_begin_.end(), row) - row_begin_.begin() - 1);
+  return static_cast<std::uint32_t>(std::upper_bound(row_begin_.begin(), row_begin_.end(), row) -
+                                    row_begin_.begin() - 1);
 }
 
 CellRef Surface::cell(std::uint32_t slot) const {

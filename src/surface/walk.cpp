@@ -32,7 +32,8 @@ std::optional<Landing> Unfolding::walk(std::uint32_t patch, glm::dvec2 start, gl
       const int first = wraps ? 2 : out[0], second = wraps ? 0 : out[1];
       const glm::dvec2 v = frame.corner(second);
       const glm::dvec2 line = at.point - start, to_corner = v - start;
-      // Counter-clockwise triangle: with the corner to the left of the line, the line leaves by the edge before it.
+      // Counter-clockwise triangle: with the corner to the left of the line, the line leaves by the edge
+      // before it.
       exit = line.x * to_corner.y - line.y * to_corner.x > 0.0 ? first : second;
     } else if (count == 3) {
       // Only a triangle of no area can be left by all three edges: take the one farthest out.

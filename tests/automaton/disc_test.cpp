@@ -41,7 +41,9 @@ Disc measure(const Surface& s, int steps, int runs) {
       const double angle = 2.0 * std::numbers::pi * k / directions;
       double radius = 0.0;
       for (double r = 0.0; r < 1.3 * steps; r += 0.1)
-        if (at(static_cast<int>(std::lround(r * std::cos(angle))), static_cast<int>(std::lround(r * std::sin(angle))))) radius = r;
+        if (at(static_cast<int>(std::lround(r * std::cos(angle))),
+               static_cast<int>(std::lround(r * std::sin(angle)))))
+          radius = r;
       sum += radius;
       squares += radius * radius;
     }
@@ -54,8 +56,8 @@ Disc measure(const Surface& s, int steps, int runs) {
 TEST(Disc, FillsTheIdealDisc) {
   const Surface s = make_surface(shapes::plain(260.0), {.cell_size = 1.0});
   const Disc ten = measure(s, 10, 100), seventy = measure(s, 70, 20), far = measure(s, 200, 6);
-  std::printf("  T    filled  spread\n  10   %.3f   %.3f\n  70   %.3f   %.3f\n  200  %.3f   %.3f\n", ten.filled, ten.spread,
-              seventy.filled, seventy.spread, far.filled, far.spread);
+  std::printf("  T    filled  spread\n  10   %.3f   %.3f\n  70   %.3f   %.3f\n  200  %.3f   %.3f\n",
+              ten.filled, ten.spread, seventy.filled, seventy.spread, far.filled, far.spread);
   EXPECT_NEAR(ten.filled, 0.945, 0.01);
   EXPECT_NEAR(ten.spread, 0.068, 0.01);
   EXPECT_NEAR(seventy.filled, 0.996, 0.01);

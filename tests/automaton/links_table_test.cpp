@@ -1,4 +1,5 @@
-// How much a triangulation shows in growth over it: arrival step over true distance, on random flat triangulations.
+// How much a triangulation shows in growth over it: arrival step over true distance, on random flat
+// triangulations.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +21,8 @@ struct Ratio {
 Ratio arrival_over_distance(double side, LinkKind links, double radius, unsigned runs) {
   Ratio ratio;
   for (unsigned run = 1; run <= runs; ++run) {
-    const Mesh mesh = side > 0.0 ? shapes::random_plane(side, radius + 40.0, run) : shapes::plain(radius + 40.0);
+    const Mesh mesh =
+        side > 0.0 ? shapes::random_plane(side, radius + 40.0, run) : shapes::plain(radius + 40.0);
     const Surface s = make_surface(mesh, {.cell_size = 1.0, .links = links});
     const std::uint32_t seed = slot_at(s, {3.2 + run, 1.7, 0.0});
     const glm::dvec3 centre = s.position(seed);
@@ -45,13 +47,17 @@ Ratio arrival_over_distance(double side, LinkKind links, double radius, unsigned
 
 TEST(LongLinksTable, UnfoldedIsAsGoodAsMeasuredAndBetterThanProjected) {
   const Ratio flat = arrival_over_distance(0.0, LinkKind::unfolded, 300.0, 4);
-  std::printf("  side   projected       unfolded\n  flat                   %.3f (%.3f)\n", flat.mean, flat.spread);
+  std::printf("  side   projected       unfolded\n  flat                   %.3f (%.3f)\n", flat.mean,
+              flat.spread);
   // The right column of the table in the project's model notes: mean and spread by triangle side, in cells.
-  const struct { double side, mean, spread; } measured[] = {{10, 0.951, 0.010}, {25, 0.971, 0.009}, {50, 0.979, 0.007}, {100, 0.984, 0.011}};
+  const struct {
+    double side, mean, spread;
+  } measured[] = {{10, 0.951, 0.010}, {25, 0.971, 0.009}, {50, 0.979, 0.007}, {100, 0.984, 0.011}};
   for (const auto& m : measured) {
     const Ratio projected = arrival_over_distance(m.side, LinkKind::projected, 300.0, 4);
     const Ratio unfolded = arrival_over_distance(m.side, LinkKind::unfolded, 300.0, 4);
-    std::printf("  %-4.0f   %.3f (%.3f)   %.3f (%.3f)\n", m.side, projected.mean, projected.spread, unfolded.mean, unfolded.spread);
+    std::printf("  %-4.0f   %.3f (%.3f)   %.3f (%.3f)\n", m.side, projected.mean, projected.spread,
+                unfolded.mean, unfolded.spread);
     EXPECT_LT(std::abs(unfolded.mean - flat.mean), std::abs(projected.mean - flat.mean)) << m.side;
     // Runs of one triangulation differ by 0.003.
     EXPECT_GT(unfolded.mean, m.mean - 0.004) << m.side;

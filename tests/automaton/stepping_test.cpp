@@ -44,7 +44,8 @@ Start<Word> start(const Surface& s, const Case& c) {
   if (c.barrier)
     for (const Row& row : s.rows())
       for (std::uint32_t slot = row.run_begin; slot < row.run_end; ++slot)
-        if (CellRandom(1, 2, slot).words(3)[0] < threshold(0.1)) begin.state[slot] = VoronoiRule<Word>::blocked;
+        if (CellRandom(1, 2, slot).words(3)[0] < threshold(0.1))
+          begin.state[slot] = VoronoiRule<Word>::blocked;
   for (const Seed& seed : random_seeds(s, 8, 5)) {
     begin.state[seed.slot] = begin.rule.word(0, begin.sources.size());
     begin.sources.push_back(seed.slot);
@@ -56,7 +57,8 @@ Start<Word> start(const Surface& s, const Case& c) {
 template <typename Word>
 std::vector<Word> cells(const Surface& s, const Field<Word>& state) {
   std::vector<Word> values;
-  for (const Row& row : s.rows()) values.insert(values.end(), state.begin() + row.run_begin, state.begin() + row.run_end);
+  for (const Row& row : s.rows())
+    values.insert(values.end(), state.begin() + row.run_begin, state.begin() + row.run_end);
   return values;
 }
 
@@ -87,7 +89,8 @@ TEST(Stepping, AFrontGivesTheBitsOfAFullSweep) {
 }
 
 TEST(Stepping, AnyNumberOfThreadsGivesTheSameBits) {
-  const Surface s = make_surface(shapes::torus(3, 1, 60, 40), {.cell_size = 0.011});  // a million cells: fronts worth sharing
+  const Surface s = make_surface(shapes::torus(3, 1, 60, 40),
+                                 {.cell_size = 0.011});  // a million cells: fronts worth sharing
   const auto run = [&](std::size_t threads) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
     SimulationSetup setup{s, 3, random_seeds(s, 500, 3), {}};
@@ -123,7 +126,8 @@ TEST(Stepping, WordsOfAnyWidthGiveTheSameResult) {
 
 TEST(LongStepping, WordsWidenByThemselves) {
   // 2^19 + 1 labels leave 12 bits for the arrival: 4094 steps, fewer than this strip is long.
-  Mesh strip{{{0, 0, 0}, {10000, 0, 0}, {10000, 120, 0}, {0, 120, 0}}, {{0, 1, 2}, {0, 2, 3}}, {}, {}, {}, {}};
+  Mesh strip{
+      {{0, 0, 0}, {10000, 0, 0}, {10000, 120, 0}, {0, 120, 0}}, {{0, 1, 2}, {0, 2, 3}}, {}, {}, {}, {}};
   const Surface s = make_surface(strip, {.cell_size = 1.0});
   SimulationSetup setup{s, 3, {}, {}};
   for_owned(s, [&](std::uint32_t slot) {

@@ -38,7 +38,8 @@ TEST(Voronoi, LabelsAreThoseOfTheNearestSeedOnAPlane) {
   for_owned(s, [&](std::uint32_t slot) {
     std::size_t nearest = 0;
     for (std::size_t k = 1; k < seeds.size(); ++k)
-      if (glm::length(s.position(slot) - s.position(seeds[k].slot)) < glm::length(s.position(slot) - s.position(seeds[nearest].slot)))
+      if (glm::length(s.position(slot) - s.position(seeds[k].slot)) <
+          glm::length(s.position(slot) - s.position(seeds[nearest].slot)))
         nearest = k;
     ++cells;
     wrong += labels[slot] != static_cast<std::int32_t>(nearest);
@@ -50,7 +51,10 @@ TEST(Voronoi, TiesFavourNoLabel) {
   // Two seeds six cells apart in a row: both reach the cell between them in step 3.
   const Surface row = make_surface(shapes::plain(30), {.cell_size = 1.0});
   const CellRef c = row.cell(slot_at(row, {0, 0, 0}));
-  const auto slot = [&](int x) { return row.rows()[row.row_begin(0) + 1 + static_cast<std::uint32_t>(c.row)].base + static_cast<std::uint32_t>(c.column + x); };
+  const auto slot = [&](int x) {
+    return row.rows()[row.row_begin(0) + 1 + static_cast<std::uint32_t>(c.row)].base +
+           static_cast<std::uint32_t>(c.column + x);
+  };
   int first = 0;
   const int runs = 400;
   for (int seed = 1; seed <= runs; ++seed) {
@@ -83,7 +87,9 @@ TEST(Voronoi, DoesNotCrossBarriers) {
 
   const Surface plain = make_surface(shapes::plain(60), {.cell_size = 1.0});
   Field<std::uint8_t> wall(plain.slot_count(), 0);
-  for_owned(plain, [&](std::uint32_t slot) { wall[slot] = std::abs(glm::length(plain.position(slot)) - 20.0) < 1.5; });
+  for_owned(plain, [&](std::uint32_t slot) {
+    wall[slot] = std::abs(glm::length(plain.position(slot)) - 20.0) < 1.5;
+  });
   VoronoiGrowth ring({plain, 1, {{slot_at(plain, {0, 0, 0}), 1.0}}, wall}, {});
   finish(ring);
   const auto inside = ring.labels();

@@ -46,7 +46,8 @@ TEST(Frame, ATriangleOfNoAreaHasNoHeight) {
 TEST(Frame, UnfoldingLaysTheSharedEdgeOnItself) {
   std::mt19937 engine(2);
   for (int n = 0; n < 500; ++n) {
-    const glm::dvec3 a = random_point(engine), b = random_point(engine), c = random_point(engine), d = random_point(engine);
+    const glm::dvec3 a = random_point(engine), b = random_point(engine), c = random_point(engine),
+                     d = random_point(engine);
     // (a, b, c) and (b, a, d) share edge ab.
     const Frame f = make_frame(a, b, c), g = make_frame(b, a, d);
     const int fe = (3 - f.first_corner) % 3, ge = (3 - g.first_corner) % 3;

@@ -33,7 +33,8 @@ std::map<std::uint32_t, std::uint32_t> sources_of(const Surface& s) {
   std::map<std::uint32_t, std::uint32_t> source;
   s.links().for_each([&](std::uint32_t from, auto targets) {
     EXPECT_TRUE(s.is_owned(from));
-    for (const std::uint32_t to : targets) EXPECT_TRUE(source.emplace(to, from).second) << "ghost " << to << " has two owners";
+    for (const std::uint32_t to : targets)
+      EXPECT_TRUE(source.emplace(to, from).second) << "ghost " << to << " has two owners";
   });
   return source;
 }
@@ -90,8 +91,9 @@ TEST(Ghosts, OnAPlaneTheSourceIsTheCellUnderTheGhost) {
     sum += distance;
     worst = std::max(worst, distance);
   }
-  // The mean distance from a random point to the nearest point of a unit lattice is 0.383, the greatest 0.707; where
-  // no cell of the landing triangle holds the point, the nearest of its neighbours may be a little farther.
+  // The mean distance from a random point to the nearest point of a unit lattice is 0.383, the greatest
+  // 0.707; where no cell of the landing triangle holds the point, the nearest of its neighbours may be a
+  // little farther.
   EXPECT_LT(sum / static_cast<double>(source.size()), 0.41);
   EXPECT_LT(worst, 1.2);
 }
@@ -99,11 +101,12 @@ TEST(Ghosts, OnAPlaneTheSourceIsTheCellUnderTheGhost) {
 TEST(Ghosts, WhereGridsLineUpGhostsLieOnCells) {
   // Right triangles whose hypotenuse is a whole, even number of cells long: one lattice all over the sheet.
   const double h = std::sqrt(2.0) / 8.0;
-  const Surface s = make_surface(shapes::grid(6, 5, false, false, [](int i, int j) { return glm::dvec3(i, j, 0); }),
-                                 {.cell_size = h});
+  const Surface s = make_surface(
+      shapes::grid(6, 5, false, false, [](int i, int j) { return glm::dvec3(i, j, 0); }), {.cell_size = h});
   // 960 cells of area; centres on the outer boundary count in full.
   EXPECT_NEAR(static_cast<double>(s.owned_count()), 30.0 / (h * h), 100.0);
-  for (const auto& [ghost, from] : sources_of(s)) EXPECT_LT(glm::length(s.position(ghost) - s.position(from)), 1e-3 * h);
+  for (const auto& [ghost, from] : sources_of(s))
+    EXPECT_LT(glm::length(s.position(ghost) - s.position(from)), 1e-3 * h);
 }
 
 TEST(Ghosts, CreasesAreNotCrossed) {
@@ -111,13 +114,19 @@ TEST(Ghosts, CreasesAreNotCrossed) {
   EXPECT_GT(s.open_ghost_count(), 0u);
   s.links().for_each([&](std::uint32_t from, auto targets) {
     for (const std::uint32_t to : targets)
-      EXPECT_NEAR(glm::dot(s.frame(s.cell(from).patch).normal(), s.frame(s.cell(to).patch).normal()), 1.0, 1e-12);
+      EXPECT_NEAR(glm::dot(s.frame(s.cell(from).patch).normal(), s.frame(s.cell(to).patch).normal()), 1.0,
+                  1e-12);
   });
 }
 
 TEST(Ghosts, BadEdgesAreNotLinked) {
   // Three triangles at one edge: none of them may see another.
-  Mesh fan{{{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, -1, 0.2}, {0.5, 0, 1}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}, {}, {}, {}, {}};
+  Mesh fan{{{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, -1, 0.2}, {0.5, 0, 1}},
+           {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}},
+           {},
+           {},
+           {},
+           {}};
   EXPECT_EQ(make_surface(fan, {.cell_size = 0.05}).ghost_count(), 0u);
   // Two triangles that run along their edge in the same direction.
   Mesh twisted{{{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, -1, 0}}, {{0, 1, 2}, {0, 1, 3}}, {}, {}, {}, {}};
@@ -127,11 +136,16 @@ TEST(Ghosts, BadEdgesAreNotLinked) {
 TEST(Ghosts, TrianglesOfNoAreaAreWalkedThrough) {
   // A square whose halves are joined through a triangle of no area (b lies on ac).
   Mesh m{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0}},
-         {{0, 1, 2}, {0, 2, 4}, {0, 4, 3}, {4, 2, 3}}, {}, {}, {}, {}};
+         {{0, 1, 2}, {0, 2, 4}, {0, 4, 3}, {4, 2, 3}},
+         {},
+         {},
+         {},
+         {}};
   const Surface s = make_surface(m, {.cell_size = 0.05});
   EXPECT_EQ(s.lost_ghost_count(), 0u);
   std::size_t from_lower = 0;
-  s.links().for_each([&](std::uint32_t from, auto targets) { from_lower += s.cell(from).patch == 0 ? targets.size() : 0; });
+  s.links().for_each(
+      [&](std::uint32_t from, auto targets) { from_lower += s.cell(from).patch == 0 ? targets.size() : 0; });
   EXPECT_GT(from_lower, 20u);
 }
 

@@ -46,7 +46,8 @@ TEST(Pairs, EachCellOnAnEdgeIsPairedWithTheNearestProjection) {
 }
 
 TEST(Pairs, ABoundaryEdgeHasNone) {
-  EXPECT_EQ(make_surface(shapes::triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), {.cell_size = 0.1, .links = LinkKind::projected})
+  EXPECT_EQ(make_surface(shapes::triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
+                         {.cell_size = 0.1, .links = LinkKind::projected})
                 .ghost_count(),
             0u);
 }

@@ -12,7 +12,9 @@ namespace shapes {
 
 using verdigris::Mesh;
 
-inline Mesh triangle(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) { return {{a, b, c}, {{0, 1, 2}}, {}, {}, {}, {}}; }
+inline Mesh triangle(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
+  return {{a, b, c}, {{0, 1, 2}}, {}, {}, {}, {}};
+}
 
 /// Two triangles with the longest edge in common.
 inline Mesh square(double side) {
@@ -64,8 +66,8 @@ inline Mesh cylinder(double radius, double length, int sides) {
   });
 }
 
-/// A flat random triangulation about the origin: a square grid of side `spacing`, jittered, random diagonals, turned by
-/// an angle of its own, so that no two frames agree.
+/// A flat random triangulation about the origin: a square grid of side `spacing`, jittered, random diagonals,
+/// turned by an angle of its own, so that no two frames agree.
 inline Mesh random_plane(double spacing, double radius, unsigned seed) {
   std::mt19937 engine(seed);
   const auto uniform = [&] { return static_cast<double>(engine()) / 4294967296.0 - 0.5; };
@@ -77,7 +79,8 @@ inline Mesh random_plane(double spacing, double radius, unsigned seed) {
   });
   for (std::size_t q = 0; q < m.triangles.size(); q += 2)
     if (engine() & 1u) {
-      const auto a = m.triangles[q][0], b = m.triangles[q][1], c = m.triangles[q][2], d = m.triangles[q + 1][2];
+      const auto a = m.triangles[q][0], b = m.triangles[q][1], c = m.triangles[q][2],
+                 d = m.triangles[q + 1][2];
       m.triangles[q] = {a, b, d};
       m.triangles[q + 1] = {b, c, d};
     }

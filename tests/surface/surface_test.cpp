@@ -33,7 +33,8 @@ TEST(Surface, OwnsExactlyTheCellsWhoseCentreLiesInTheTriangle) {
   const auto u = [&] { return static_cast<double>(engine()) / 4294967296.0; };
   for (int n = 0; n < 300; ++n) {
     const double h = n % 3 == 0 ? 0.3 : 0.05;
-    const Surface s = make_surface(shapes::triangle({u(), u(), u()}, {u(), u(), u()}, {u(), u(), u()}), {.cell_size = h});
+    const Surface s =
+        make_surface(shapes::triangle({u(), u(), u()}, {u(), u(), u()}, {u(), u(), u()}), {.cell_size = h});
     const Frame& f = s.frame(0);
     std::size_t expected = 0;
     for (int row = 0; row * h < f.cy; ++row)
@@ -69,7 +70,8 @@ TEST(Surface, ProjectedCellsAreThoseThatMeetTheTriangle) {
 }
 
 TEST(Surface, CellsCoverTheAreaOfRealModels) {
-  for (const auto& [name, tolerance] : {std::pair{"spot", 0.005}, {"fandisk", 0.005}, {"teapot", 0.005}, {"stanford-bunny", 0.01}}) {
+  for (const auto& [name, tolerance] :
+       {std::pair{"spot", 0.005}, {"fandisk", 0.005}, {"teapot", 0.005}, {"stanford-bunny", 0.01}}) {
     const std::string file = std::string(VERDIGRIS_SHARED_MESHES) + "/" + name + ".obj";
     if (!std::filesystem::exists(file)) GTEST_SKIP() << "needs " << name;
     Mesh mesh = read_mesh(file);
@@ -80,15 +82,16 @@ TEST(Surface, CellsCoverTheAreaOfRealModels) {
 }
 
 TEST(Surface, CellsCoverStructuredMeshesToo) {
-  // Right triangles, all alike, their legs at 45 degrees to the grid: what one row misses every row misses, so the error
-  // falls only with the number of cells along an edge.
+  // Right triangles, all alike, their legs at 45 degrees to the grid: what one row misses every row misses,
+  // so the error falls only with the number of cells along an edge.
   const Mesh sheet = shapes::grid(20, 20, false, false, [](int i, int j) { return glm::dvec3(i, j, 0); });
   for (const double h : {0.02, 0.023, 0.031, 0.025 / std::sqrt(2.0), std::sqrt(2.0) / 70.0})
     EXPECT_NEAR(covered(make_surface(sheet, {.cell_size = h})), 1.0, 0.5 * h * std::sqrt(2.0)) << h;
 }
 
 TEST(Surface, ManySmallTrianglesAndFewLargeOnes) {
-  const Surface many = make_surface(shapes::torus(3, 1, 400, 250), {.cell_size = 0.01});  // 200,000 triangles, ~6 cells
+  const Surface many =
+      make_surface(shapes::torus(3, 1, 400, 250), {.cell_size = 0.01});  // 200,000 triangles, ~6 cells
   EXPECT_NEAR(covered(many), 1.0, 0.01);
   EXPECT_EQ(many.lost_ghost_count(), 0u);
   const Surface few = make_surface(shapes::cube(1.0), {.cell_size = 0.004});
@@ -105,12 +108,18 @@ TEST(Surface, TheSameBitsForAnyNumberOfThreads) {
     const Surface a = build(1, links), b = build(4, links);
     ASSERT_EQ(a.slot_count(), b.slot_count());
     std::vector<std::pair<std::uint32_t, std::uint32_t>> la, lb;
-    a.links().for_each([&](std::uint32_t s, auto targets) { for (auto t : targets) la.emplace_back(s, t); });
-    b.links().for_each([&](std::uint32_t s, auto targets) { for (auto t : targets) lb.emplace_back(s, t); });
+    a.links().for_each([&](std::uint32_t s, auto targets) {
+      for (auto t : targets) la.emplace_back(s, t);
+    });
+    b.links().for_each([&](std::uint32_t s, auto targets) {
+      for (auto t : targets) lb.emplace_back(s, t);
+    });
     EXPECT_EQ(la, lb);
-    EXPECT_TRUE(std::equal(a.rows().begin(), a.rows().end(), b.rows().begin(), [](const Row& x, const Row& y) {
-      return x.begin == y.begin && x.run_begin == y.run_begin && x.run_end == y.run_end && x.base == y.base;
-    }));
+    EXPECT_TRUE(
+        std::equal(a.rows().begin(), a.rows().end(), b.rows().begin(), [](const Row& x, const Row& y) {
+          return x.begin == y.begin && x.run_begin == y.run_begin && x.run_end == y.run_end &&
+                 x.base == y.base;
+        }));
   }
 }
 
@@ -125,9 +134,11 @@ TEST(Surface, EstimateIsNearTheTruth) {
 }
 
 TEST(Surface, RefusesWhatCannotBeBuilt) {
-  for (const double h : {0.0, -1.0, std::nan(""), 1.0 / 0.0}) EXPECT_THROW(make_surface(shapes::cube(1), {.cell_size = h}), InputError);
+  for (const double h : {0.0, -1.0, std::nan(""), 1.0 / 0.0})
+    EXPECT_THROW(make_surface(shapes::cube(1), {.cell_size = h}), InputError);
   EXPECT_THROW(make_surface(Mesh{}, {.cell_size = 1.0}), InputError);
-  EXPECT_THROW(make_surface(shapes::triangle({0, 0, 0}, {1, 0, 0}, {2, 0, 0}), {.cell_size = 1.0}), InputError);
+  EXPECT_THROW(make_surface(shapes::triangle({0, 0, 0}, {1, 0, 0}, {2, 0, 0}), {.cell_size = 1.0}),
+               InputError);
   try {
     make_surface(shapes::cube(1), {.cell_size = 1e-9});
     FAIL() << "6e18 cells were accepted";

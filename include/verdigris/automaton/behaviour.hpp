@@ -1,5 +1,6 @@
 #pragma once
-// What a behaviour is: a rule that makes the next state of a cell from its own and its eight neighbours' states.
+// What a behaviour is: a rule that makes the next state of a cell from its own and its eight neighbours'
+// states.
 
 #include <concepts>
 #include <cstdint>
@@ -13,8 +14,8 @@ namespace verdigris {
 template <typename T>
 using Field = std::vector<T>;
 
-/// A cell and its eight neighbours. Each pointer stands at the cell's own column of its row; -1 and +1 can be read.
-/// "Above" is the grid row with the higher number.
+/// A cell and its eight neighbours. Each pointer stands at the cell's own column of its row; -1 and +1 can be
+/// read. "Above" is the grid row with the higher number.
 template <typename State>
 struct Neighbourhood {
   const State* below;
@@ -28,34 +29,36 @@ struct Neighbourhood {
   const State& corner(int k) const { return (k < 2 ? below : above)[(k & 1) == 0 ? -1 : 1]; }
 };
 
-/// A behaviour. `next` is pure: it reads the neighbourhood as it was, the random numbers of its cell and step, and the
-/// behaviour's own parameters. `outside` is the state of what lies beyond a boundary.
+/// A behaviour. `next` is pure: it reads the neighbourhood as it was, the random numbers of its cell and
+/// step, and the behaviour's own parameters. `outside` is the state of what lies beyond a boundary.
 template <typename B>
-concept Behaviour = requires(const B& b, const Neighbourhood<typename B::State>& n, const CellRandom& random) {
+concept Behaviour = requires(const B& b, const Neighbourhood<typename B::State>& n,
+                             const CellRandom& random) {
   { b.outside() } -> std::convertible_to<typename B::State>;
   { b.next(n, random) } -> std::same_as<typename B::State>;
 };
 
 /// A behaviour whose cells change only when something near them does: it can be run from a front.
 ///
-/// `settled(s)`: a cell in state s never changes again. `waits(n)`: an unchanged cell may still change in a later step
-/// though nothing around it does (its chance has not come yet); all other cells may be left alone until a neighbour
-/// changes.
+/// `settled(s)`: a cell in state s never changes again. `waits(n)`: an unchanged cell may still change in a
+/// later step though nothing around it does (its chance has not come yet); all other cells may be left alone
+/// until a neighbour changes.
 template <typename B>
-concept FrontBehaviour =
-    Behaviour<B> && requires(const B& b, const Neighbourhood<typename B::State>& n, typename B::State s) {
-      { b.settled(s) } -> std::same_as<bool>;
-      { b.waits(n) } -> std::same_as<bool>;
-    };
+concept FrontBehaviour = Behaviour<B> &&
+    requires(const B& b, const Neighbourhood<typename B::State>& n, typename B::State s) {
+  { b.settled(s) } -> std::same_as<bool>;
+  { b.waits(n) } -> std::same_as<bool>;
+};
 
-/// A FrontBehaviour whose states carry the step they were made in, so that a step may be done in place: `next` takes a
-/// neighbour that changed in this very step for what it was before, what changes is settled, and a cell beside a
-/// changed one waits.
+/// A FrontBehaviour whose states carry the step they were made in, so that a step may be done in place:
+/// `next` takes a neighbour that changed in this very step for what it was before, what changes is settled,
+/// and a cell beside a changed one waits.
 template <typename B>
 concept StampedBehaviour = FrontBehaviour<B> && B::stamped;
 
-/// A behaviour that can run on projected pairs: `merge(mine, theirs)` is what a cell becomes when the data of a pair is
-/// made common. Several partners must give the same in any order, and one partner twice the same as once.
+/// A behaviour that can run on projected pairs: `merge(mine, theirs)` is what a cell becomes when the data of
+/// a pair is made common. Several partners must give the same in any order, and one partner twice the same as
+/// once.
 template <typename B>
 concept MergingBehaviour = Behaviour<B> && requires(const B& b, typename B::State s) {
   { b.merge(s, s) } -> std::same_as<typename B::State>;
@@ -63,13 +66,15 @@ concept MergingBehaviour = Behaviour<B> && requires(const B& b, typename B::Stat
 
 /// A behaviour that wants to know when a step begins.
 template <typename B>
-concept SteppedBehaviour = requires(B& b, std::uint64_t step) { b.begin_step(step); };
+concept SteppedBehaviour = requires(B& b, std::uint64_t step) {
+  b.begin_step(step);
+};
 
 /// What one step did.
 struct StepReport {
-  std::uint64_t step = 0;      ///< number of the step just made, from 1
-  std::uint64_t changed = 0;   ///< owned cells whose state differs from before
-  std::uint64_t visited = 0;   ///< cells whose rule was evaluated
+  std::uint64_t step = 0;     ///< number of the step just made, from 1
+  std::uint64_t changed = 0;  ///< owned cells whose state differs from before
+  std::uint64_t visited = 0;  ///< cells whose rule was evaluated
 };
 
 }  // namespace verdigris

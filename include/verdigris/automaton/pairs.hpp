@@ -1,5 +1,6 @@
 #pragma once
-// "At the end of each turn" the data of an edge pair is made common (Gobron & Chiba 1999, "Edge Communication").
+// "At the end of each turn" the data of an edge pair is made common (Gobron & Chiba 1999, "Edge
+// Communication").
 
 #include <algorithm>
 #include <cstdint>
@@ -19,12 +20,12 @@ using Merges = std::vector<std::pair<std::uint32_t, State>>;
 
 /// What cells become when the pairs of `sources` are made common; ascending by slot, only those that change.
 ///
-/// A cell that takes a state hands it on in the same turn over the other edges of its triangle, but not back over the
-/// one it came by. So a triangle narrower than a cell is passed at once: what Fig. 9 of the paper warns of. Only states
-/// from before the turn decide who takes what; the order of pairs cannot matter.
+/// A cell that takes a state hands it on in the same turn over the other edges of its triangle, but not back
+/// over the one it came by. So a triangle narrower than a cell is passed at once: what Fig. 9 of the paper
+/// warns of. Only states from before the turn decide who takes what; the order of pairs cannot matter.
 template <MergingBehaviour B, typename Slots>
-Merges<typename B::State> merge_pairs(const Surface& surface, const B& behaviour, const Field<typename B::State>& state,
-                                      const Slots& sources) {
+Merges<typename B::State> merge_pairs(const Surface& surface, const B& behaviour,
+                                      const Field<typename B::State>& state, const Slots& sources) {
   struct Passing {
     std::uint32_t slot, from_patch, patch;
     typename B::State value;
@@ -51,7 +52,8 @@ Merges<typename B::State> merge_pairs(const Surface& surface, const B& behaviour
     next.erase(std::unique(next.begin(), next.end(), same), next.end());
     // Only what was not there before goes on: rings of thin triangles come back to where they began.
     wave.clear();
-    std::set_difference(next.begin(), next.end(), taken.begin(), taken.end(), std::back_inserter(wave), by_key);
+    std::set_difference(next.begin(), next.end(), taken.begin(), taken.end(), std::back_inserter(wave),
+                        by_key);
     const auto middle = static_cast<std::ptrdiff_t>(taken.size());
     taken.insert(taken.end(), wave.begin(), wave.end());
     std::inplace_merge(taken.begin(), taken.begin() + middle, taken.end(), by_key);

@@ -8,13 +8,15 @@
 
 namespace verdigris {
 
-/// The random numbers of one cell in one step. The same for any number of threads, any order, after a restart.
+/// The random numbers of one cell in one step. The same for any number of threads, any order, after a
+/// restart.
 ///
-/// Philox4x32 with 7 rounds (Salmon et al. 2011, "Parallel random numbers: as easy as 1, 2, 3": the fewest that pass
-/// BigCrush), key = seed, counter = (cell, step, purpose, block).
+/// Philox4x32 with 7 rounds (Salmon et al. 2011, "Parallel random numbers: as easy as 1, 2, 3": the fewest
+/// that pass BigCrush), key = seed, counter = (cell, step, purpose, block).
 class CellRandom {
  public:
-  CellRandom(std::uint64_t seed, std::uint64_t step, std::uint32_t cell) : seed_(seed), step_(step), cell_(cell) {}
+  CellRandom(std::uint64_t seed, std::uint64_t step, std::uint32_t cell)
+      : seed_(seed), step_(step), cell_(cell) {}
 
   /// Four independent uniform 32-bit words for one purpose. `block` gives four more each time.
   std::array<std::uint32_t, 4> words(std::uint32_t purpose, std::uint32_t block = 0) const {
@@ -43,7 +45,9 @@ class CellRandom {
 
 /// `word < threshold(p)` holds with probability p, to 2^-32; p is clamped to 0..1. p = 1 always holds.
 constexpr std::uint64_t threshold(double p) {
-  return p <= 0.0 ? 0 : p >= 1.0 ? std::uint64_t{1} << 32 : static_cast<std::uint64_t>(p * 4294967296.0 + 0.5);
+  return p <= 0.0   ? 0
+         : p >= 1.0 ? std::uint64_t{1} << 32
+                    : static_cast<std::uint64_t>(p * 4294967296.0 + 0.5);
 }
 
 }  // namespace verdigris

@@ -1,5 +1,6 @@
 #pragma once
-// Voronoi growth: regions grow from seeds until they meet (Gobron & Chiba 1999, "3D Surface Voronoi Diagram").
+// Voronoi growth: regions grow from seeds until they meet (Gobron & Chiba 1999, "3D Surface Voronoi
+// Diagram").
 
 #include <algorithm>
 #include <cstdint>
@@ -10,17 +11,18 @@
 
 namespace verdigris {
 
-/// The rule. A cell with a filled side neighbour is filled in the next step; one that only touches filled corners is
-/// filled with probability `corner` for each of them, in each step (0.2071 makes discs round: the paper's Fig. 14).
+/// The rule. A cell with a filled side neighbour is filled in the next step; one that only touches filled
+/// corners is filled with probability `corner` for each of them, in each step (0.2071 makes discs round: the
+/// paper's Fig. 14).
 ///
 /// State: arrival step and label in one word, `arrival << label_bits | label`; the smaller word came first.
 ///
-/// *Ties.* When neighbours of several labels would fill a cell in one step: sides go before corners, and among the labels
-/// of equal standing the one wins whose random word, keyed by (seed, step, cell, label), is least. No order of cells or
-/// threads enters, and no label is favoured.
+/// *Ties.* When neighbours of several labels would fill a cell in one step: sides go before corners, and
+/// among the labels of equal standing the one wins whose random word, keyed by (seed, step, cell, label), is
+/// least. No order of cells or threads enters, and no label is favoured.
 ///
-/// *Speeds.* With weights, label k may spread in step t when floor(t w_k) > floor((t - 1) w_k), w_k its speed over the
-/// greatest: each label keeps a clock of its own, and its front stays as round as any.
+/// *Speeds.* With weights, label k may spread in step t when floor(t w_k) > floor((t - 1) w_k), w_k its speed
+/// over the greatest: each label keeps a clock of its own, and its front stays as round as any.
 template <typename Word>
 struct VoronoiRule {
   using State = Word;
@@ -31,9 +33,9 @@ struct VoronoiRule {
 
   unsigned label_bits = 1;
   std::uint64_t corner_threshold = threshold(0.2071067811865476);
-  std::vector<double> speed;         ///< [label], greatest 1; empty: all the same
-  std::vector<std::uint8_t> moves;   ///< [label], this step; empty: all
-  Word now = 0;                      ///< words filled in this step are at least this
+  std::vector<double> speed;        ///< [label], greatest 1; empty: all the same
+  std::vector<std::uint8_t> moves;  ///< [label], this step; empty: all
+  Word now = 0;                     ///< words filled in this step are at least this
 
   static unsigned bits_for(std::uint64_t labels) {
     unsigned bits = 1;
@@ -45,8 +47,12 @@ struct VoronoiRule {
   std::int32_t label_of(Word w) const {
     return filled(w) ? static_cast<std::int32_t>(w & ((Word{1} << label_bits) - 1)) : -1;
   }
-  std::int64_t arrival_of(Word w) const { return filled(w) ? static_cast<std::int64_t>(w >> label_bits) : -1; }
-  Word word(std::uint64_t step, std::uint64_t label) const { return static_cast<Word>(step << label_bits | label); }
+  std::int64_t arrival_of(Word w) const {
+    return filled(w) ? static_cast<std::int64_t>(w >> label_bits) : -1;
+  }
+  Word word(std::uint64_t step, std::uint64_t label) const {
+    return static_cast<Word>(step << label_bits | label);
+  }
 
   static bool filled(Word w) { return w < blocked; }
   bool settled(Word w) const { return w != empty; }
@@ -58,7 +64,9 @@ struct VoronoiRule {
   }
   Word outside() const { return empty; }
   /// Pairs: the earlier word wins, a barrier neither gives nor takes.
-  Word merge(Word mine, Word theirs) const { return mine == blocked || theirs == blocked ? mine : std::min(mine, theirs); }
+  Word merge(Word mine, Word theirs) const {
+    return mine == blocked || theirs == blocked ? mine : std::min(mine, theirs);
+  }
 
   void begin_step(std::uint64_t step) {
     now = word(step, 0);
@@ -71,7 +79,8 @@ struct VoronoiRule {
 
   [[gnu::always_inline]] Word next(const Neighbourhood<Word>& n, const CellRandom& random) const {
     if (const Word here = load(n.here); here != empty) return here;
-    const Word left = load(n.here - 1), right = load(n.here + 1), below = load(n.below), above = load(n.above);
+    const Word left = load(n.here - 1), right = load(n.here + 1), below = load(n.below),
+               above = load(n.above);
     const Word least = std::min(std::min(left, right), std::min(below, above));
     if (spreads(least)) {
       const Word label = least & label_mask();

@@ -8,8 +8,8 @@
 
 namespace verdigris {
 
-/// Linear interpolation of values on mesh vertices [vertex] to the centres of evolving cells; other slots hold 0.
-/// Throws std::invalid_argument when there is not one value a vertex.
+/// Linear interpolation of values on mesh vertices [vertex] to the centres of evolving cells; other slots
+/// hold 0. Throws std::invalid_argument when there is not one value a vertex.
 Field<float> interpolate_vertex_values(const Surface& surface, std::span<const double> values);
 
 /// The value of its triangle [triangle] in every evolving cell; other slots hold 0.

@@ -21,28 +21,31 @@ struct Motion {
   }
 };
 
-/// The oriented frame of an input triangle (Gobron & Chiba 1999, "Triangle Division"; axes exchanged so that the
-/// longest edge AB lies along the rows): A = (0, 0), B = (ab, 0), C = (cx, cy), 0 <= cx <= ab, cy >= 0.
+/// The oriented frame of an input triangle (Gobron & Chiba 1999, "Triangle Division"; axes exchanged so that
+/// the longest edge AB lies along the rows): A = (0, 0), B = (ab, 0), C = (cx, cy), 0 <= cx <= ab, cy >= 0.
 /// Counter-clockwise like the triangle itself, so `u x v` is its outward normal.
 struct Frame {
-  glm::dvec3 origin;           ///< A in model space
-  glm::dvec3 u, v;             ///< unit vectors along the rows and across them
-  double ab, cx, cy;           ///< model units
-  std::uint8_t first_corner;   ///< corner of the input triangle that is A; B and C follow cyclically
+  glm::dvec3 origin;          ///< A in model space
+  glm::dvec3 u, v;            ///< unit vectors along the rows and across them
+  double ab, cx, cy;          ///< model units
+  std::uint8_t first_corner;  ///< corner of the input triangle that is A; B and C follow cyclically
 
   glm::dvec3 to_model(glm::dvec2 p) const { return origin + p.x * u + p.y * v; }
   glm::dvec2 to_plane(glm::dvec3 p) const;
   /// Corner k: 0 = A, 1 = B, 2 = C.
-  glm::dvec2 corner(int k) const { return k == 0 ? glm::dvec2(0.0) : k == 1 ? glm::dvec2(ab, 0.0) : glm::dvec2(cx, cy); }
+  glm::dvec2 corner(int k) const {
+    return k == 0 ? glm::dvec2(0.0) : k == 1 ? glm::dvec2(ab, 0.0) : glm::dvec2(cx, cy);
+  }
   glm::dvec3 normal() const;
 };
 
-/// The frame of triangle (a, b, c), the longest edge found (the first of equals). A triangle of no area gets cy = 0
-/// and any direction for v: it owns no cells, but walks can cross it.
+/// The frame of triangle (a, b, c), the longest edge found (the first of equals). A triangle of no area gets
+/// cy = 0 and any direction for v: it owns no cells, but walks can cross it.
 Frame make_frame(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
-/// The motion that lays the plane of `from` on that of `to`, with edge `from_edge` (corner k to k + 1 of `from`) on
-/// edge `to_edge` of `to`, run the other way: the triangle turned about the shared edge until both are flat.
+/// The motion that lays the plane of `from` on that of `to`, with edge `from_edge` (corner k to k + 1 of
+/// `from`) on edge `to_edge` of `to`, run the other way: the triangle turned about the shared edge until both
+/// are flat.
 Motion unfold(const Frame& from, int from_edge, const Frame& to, int to_edge);
 
 }  // namespace verdigris

@@ -16,7 +16,8 @@ enum class LinkKind : std::uint8_t {
 
 /// For each source slot, the slots that take its state: ghosts (unfolded) or partners (projected).
 ///
-/// Stored once, ordered by source: one bit a slot tells whether it is a source, a rank every 64 slots finds its list.
+/// Stored once, ordered by source: one bit a slot tells whether it is a source, a rank every 64 slots finds
+/// its list.
 class Links {
  public:
   Links() = default;
@@ -53,9 +54,9 @@ class Links {
   std::size_t bytes() const;
 
  private:
-  std::vector<std::uint64_t> bits_;     // [slot / 64]
-  std::vector<std::uint32_t> rank_;     // [slot / 64] sources before this word
-  std::vector<std::uint32_t> offset_;   // [source rank] into targets_, one more at the end
+  std::vector<std::uint64_t> bits_;    // [slot / 64]
+  std::vector<std::uint32_t> rank_;    // [slot / 64] sources before this word
+  std::vector<std::uint32_t> offset_;  // [source rank] into targets_, one more at the end
   std::vector<std::uint32_t> targets_;
 };
 

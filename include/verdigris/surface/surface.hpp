@@ -18,9 +18,9 @@ namespace verdigris {
 
 /// One row of one patch's grid, a run of consecutive slots.
 ///
-/// Column i of this row is slot `base + i` (mod 2^32), so the cell above slot s is `s - row.base + above.base`.
-/// Cells that evolve are `run_begin <= slot < run_end`; the slots around them (to the begin of the next row) are
-/// ghosts, or guards that stay empty. Every neighbour of an evolving cell has a slot.
+/// Column i of this row is slot `base + i` (mod 2^32), so the cell above slot s is `s - row.base +
+/// above.base`. Cells that evolve are `run_begin <= slot < run_end`; the slots around them (to the begin of
+/// the next row) are ghosts, or guards that stay empty. Every neighbour of an evolving cell has a slot.
 struct Row {
   std::uint32_t begin;      ///< first slot of the row; it ends where the next row begins
   std::uint32_t run_begin;  ///< first evolving slot
@@ -42,27 +42,35 @@ struct CellRef {
 
 /// All patches of a mesh, built once by make_surface, then const. Copies share their data.
 ///
-/// *Slots* index fields: rows of all patches one after the other, ghosts and guards included. *Owned* cells are
-/// COMP-IN: their centre lies in the triangle. A centre on an edge itself belongs to the triangle of lower index.
+/// *Slots* index fields: rows of all patches one after the other, ghosts and guards included. *Owned* cells
+/// are COMP-IN: their centre lies in the triangle. A centre on an edge itself belongs to the triangle of
+/// lower index.
 class Surface {
  public:
   const Mesh& mesh() const { return *mesh_; }
   const Adjacency& adjacency() const { return *adjacency_; }
-  double cell_size() const { return cell_size_; }   ///< side of a cell, model units
+  double cell_size() const { return cell_size_; }  ///< side of a cell, model units
   LinkKind link_kind() const { return link_kind_; }
   std::size_t patch_count() const { return frames_.size(); }
-  std::size_t slot_count() const { return slot_count_; }     ///< size of a field
-  std::size_t owned_count() const { return owned_count_; }   ///< COMP-IN cells
-  std::size_t ghost_count() const { return ghost_count_; }   ///< linked ghosts (unfolded) or pair ends (projected)
-  std::size_t open_ghost_count() const { return open_ghost_count_; }  ///< ghosts beyond a boundary: always empty
-  std::size_t lost_ghost_count() const { return lost_ghost_count_; }  ///< ghosts with surface but no owned cell near
-  std::size_t bytes() const;                                 ///< memory held beside the mesh
+  std::size_t slot_count() const { return slot_count_; }    ///< size of a field
+  std::size_t owned_count() const { return owned_count_; }  ///< COMP-IN cells
+  std::size_t ghost_count() const {
+    return ghost_count_;
+  }  ///< linked ghosts (unfolded) or pair ends (projected)
+  std::size_t open_ghost_count() const {
+    return open_ghost_count_;
+  }  ///< ghosts beyond a boundary: always empty
+  std::size_t lost_ghost_count() const {
+    return lost_ghost_count_;
+  }                           ///< ghosts with surface but no owned cell near
+  std::size_t bytes() const;  ///< memory held beside the mesh
 
   const Frame& frame(std::size_t patch) const { return frames_[patch]; }
   std::span<const Frame> frames() const { return frames_; }
   /// Rows of all patches; one empty row stands before the first and after the last.
   std::span<const Row> rows() const { return {rows_.data() + 1, rows_.size() - 2}; }
-  /// Indices into rows() of `patch`: its first row is grid row -1 (never evolving), then 0, 1, ... Empty for a patch without cells.
+  /// Indices into rows() of `patch`: its first row is grid row -1 (never evolving), then 0, 1, ... Empty for
+  /// a patch without cells.
   std::uint32_t row_begin(std::size_t patch) const { return row_begin_[patch]; }
   std::uint32_t row_end(std::size_t patch) const { return row_begin_[patch + 1]; }
   std::span<const std::uint32_t> row_begins() const { return row_begin_; }
@@ -104,28 +112,33 @@ class Surface {
   std::shared_ptr<const Adjacency> adjacency_;
   double cell_size_ = 0.0;
   LinkKind link_kind_ = LinkKind::unfolded;
-  std::size_t slot_count_ = 0, owned_count_ = 0, ghost_count_ = 0, open_ghost_count_ = 0, lost_ghost_count_ = 0;
-  std::vector<Frame> frames_;               // [patch]
-  std::vector<std::uint32_t> row_begin_;    // [patch], one more at the end
-  std::vector<Row> rows_;                   // one before, one after
-  std::vector<SlotRun> comp_in_;            // [row], projected only
+  std::size_t slot_count_ = 0, owned_count_ = 0, ghost_count_ = 0, open_ghost_count_ = 0,
+              lost_ghost_count_ = 0;
+  std::vector<Frame> frames_;             // [patch]
+  std::vector<std::uint32_t> row_begin_;  // [patch], one more at the end
+  std::vector<Row> rows_;                 // one before, one after
+  std::vector<SlotRun> comp_in_;          // [row], projected only
   static constexpr unsigned hint_shift = 5;
-  std::vector<std::uint32_t> row_hint_;     // [slot / 32] row of slot 32 k
+  std::vector<std::uint32_t> row_hint_;  // [slot / 32] row of slot 32 k
   Links links_;
 };
 
 /// How to lay cells on a mesh.
 struct SurfaceOptions {
-  double cell_size = 0.0;          ///< model units, > 0
+  double cell_size = 0.0;  ///< model units, > 0
   LinkKind links = LinkKind::unfolded;
-  double crease_angle = 181.0;     ///< degrees; edges whose faces turn by more are not linked (a barrier)
+  double crease_angle = 181.0;  ///< degrees; edges whose faces turn by more are not linked (a barrier)
 };
 
-/// Lays every triangle on its grid and joins the grids; in parallel, the same bits for any number of threads. Time and
-/// memory grow linearly with cells and triangles.
-/// Throws InputError for a mesh without triangles, a cell size that is not a positive number, or one so small that
-/// slots would not fit 32 bits or memory would not hold them; the message says which size would.
+/// Lays every triangle on its grid and joins the grids; in parallel, the same bits for any number of threads.
+/// Time and memory grow linearly with cells and triangles. Throws InputError for a mesh without triangles, a
+/// cell size that is not a positive number, or one so small that slots would not fit 32 bits or memory would
+/// not hold them; the message says which size would.
 Surface make_surface(Mesh mesh, const SurfaceOptions& options);
+
+/// The same with links between triangles that need not follow from the vertices: a periodic surface, say.
+/// Edges joined by `adjacency` must be of one length.
+Surface make_surface(Mesh mesh, Adjacency adjacency, const SurfaceOptions& options);
 
 /// The cell size at which `mesh` gets about `cells` owned cells: sqrt(area / cells).
 double cell_size_for(const Mesh& mesh, double cells);
@@ -138,8 +151,8 @@ SurfaceEstimate estimate_surface(const Mesh& mesh, double cell_size);
 
 /// The cell owning the surface point nearest to `point`, for many points at once.
 struct LocatedCell {
-  std::uint32_t slot;    ///< an owned cell
-  double distance;       ///< from the point to the nearest point of the surface, model units
+  std::uint32_t slot;  ///< an owned cell
+  double distance;     ///< from the point to the nearest point of the surface, model units
 };
 /// Throws InputError when the surface owns no cell.
 std::vector<LocatedCell> locate(const Surface& surface, std::span<const glm::dvec3> points);

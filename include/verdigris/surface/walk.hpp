@@ -15,8 +15,8 @@ namespace verdigris {
 /// Where a walk ended.
 struct Landing {
   std::uint32_t patch;
-  glm::dvec2 point;   ///< in the plane of `patch`
-  Motion motion;      ///< from the plane of the start to the plane of `patch`
+  glm::dvec2 point;  ///< in the plane of `patch`
+  Motion motion;     ///< from the plane of the start to the plane of `patch`
 };
 
 /// The triangles' planes and which of their edges can be crossed; refers to arrays that must outlive it.
@@ -42,9 +42,10 @@ class Unfolding {
     return !barrier_.empty() && barrier_[e] ? Adjacency::none : adjacency_.opposite[e];
   }
 
-  /// Walks straight from `start`, a point in triangle `patch`, to `end`, a point of its plane. Nothing when the line
-  /// meets a boundary, a barrier, or more than `most_crossings` edges.
-  std::optional<Landing> walk(std::uint32_t patch, glm::dvec2 start, glm::dvec2 end, int most_crossings = 4096) const;
+  /// Walks straight from `start`, a point in triangle `patch`, to `end`, a point of its plane. Nothing when
+  /// the line meets a boundary, a barrier, or more than `most_crossings` edges.
+  std::optional<Landing> walk(std::uint32_t patch, glm::dvec2 start, glm::dvec2 end,
+                              int most_crossings = 4096) const;
 
  private:
   std::span<const Frame> frames_;

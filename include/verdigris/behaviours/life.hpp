@@ -1,0 +1,51 @@
+#pragma once
+// Life-like behaviours: two states, birth and survival by the number of live neighbours.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "verdigris/automaton/behaviour.hpp"
+
+namespace verdigris {
+
+/// Which cells around a cell are counted.
+enum class LifeNeighbourhood : std::uint8_t { moore, von_neumann };
+
+/// A rule of range 1: bit n of `birth` and `survival` says what n live neighbours do.
+struct LifeRule {
+  std::uint16_t birth = 1u << 3;
+  std::uint16_t survival = (1u << 2) | (1u << 3);
+  LifeNeighbourhood neighbourhood = LifeNeighbourhood::moore;
+
+  friend bool operator==(const LifeRule&, const LifeRule&) = default;
+};
+
+/// Reads "B3/S23", "23/3" (survival first, as Sinvhal 2005 writes it), either with a "V" behind it for the
+/// von Neumann neighbourhood, or one of life_rule_names(), in any case. Throws InputError for anything else.
+LifeRule parse_life_rule(std::string_view text);
+
+/// The B/S form of a rule; parse_life_rule gives the same rule back.
+std::string life_rule_text(const LifeRule& rule);
+
+/// Named rules and their B/S forms.
+const std::vector<std::pair<std::string, std::string>>& life_rule_names();
+
+/// The rule as a behaviour, a byte a cell: what PackedLife is held against. What lies beyond a boundary is
+/// dead.
+struct LifeBehaviour {
+  using State = std::uint8_t;
+  LifeRule rule;
+
+  State outside() const { return 0; }
+  State next(const Neighbourhood<State>& n, const CellRandom&) const {
+    int live = n.here[-1] + n.here[1] + *n.below + *n.above;
+    if (rule.neighbourhood == LifeNeighbourhood::moore)
+      live += n.below[-1] + n.below[1] + n.above[-1] + n.above[1];
+    return static_cast<State>(((*n.here != 0 ? rule.survival : rule.birth) >> live) & 1);
+  }
+};
+
+}  // namespace verdigris

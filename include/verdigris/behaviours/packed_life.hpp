@@ -1,0 +1,44 @@
+#pragma once
+// Life-like behaviours on packed cells: 64 at a time in a word, eight words at a time in a vector.
+
+#include <cstdint>
+#include <vector>
+
+#include "verdigris/automaton/packed_surface.hpp"
+#include "verdigris/behaviours/life.hpp"
+
+namespace verdigris {
+
+/// A Life-like rule of range 1 on a surface; the same result as SweepStepper<LifeBehaviour>, for any number
+/// of threads and with or without vector instructions. The packed surface must outlive it; the surface need
+/// not.
+class PackedLife {
+ public:
+  PackedLife(const PackedSurface& cells, const LifeRule& rule);
+
+  /// One generation. Returns how many cells changed.
+  std::uint64_t step();
+  std::uint64_t steps() const { return steps_; }
+  std::uint64_t population() const;
+
+  bool alive(std::uint32_t bit) const { return (state_[bit >> 6] >> (bit & 63)) & 1u; }
+  void set(std::uint32_t bit, bool alive);
+  /// Each owned cell alive with probability `density`, from random numbers keyed by seed and word.
+  void fill(double density, std::uint64_t seed);
+
+  const std::vector<std::uint64_t>& state() const { return state_; }
+  /// Bytes of state; the packed surface has its own.
+  std::size_t bytes() const { return (state_.size() + ghosts_.size()) * 8; }
+
+ private:
+  void gather_ghosts(std::size_t first_patch, std::size_t last_patch);
+  std::uint64_t advance(std::size_t patch, std::vector<std::uint64_t>& old);
+
+  const PackedSurface& cells_;
+  LifeRule rule_;
+  std::vector<std::uint64_t> state_;   // [word], owned bits only
+  std::vector<std::uint64_t> ghosts_;  // [ghost / 64] bits gathered for this step
+  std::uint64_t steps_ = 0;
+};
+
+}  // namespace verdigris
