@@ -66,8 +66,11 @@ TEST_F(BadOptions, Values) {
   for (const char* view : {"sideways", "0,0,0", "1,2"}) expect_refused_with({"--view", view}, "view");
   expect_refused_with({"--up", "w"}, "up");
   for (const char* chance : {"-0.1", "1.1", "nan", "often"}) expect_refused_with({"--corner", chance}, "corner");
-  for (const char* steps : {"0", "-1", "1.5"}) expect_refused_with({"--steps", steps}, "--steps");
-  for (const char* seed : {"-1", "x"}) expect_refused_with({"--seed", seed}, "--seed");
+  // The last one is what a scene file could not hold.
+  for (const char* steps : {"0", "-1", "1.5", "18446744073709551615"})
+    expect_refused_with({"--steps", steps}, "--steps");
+  for (const char* seed : {"-1", "x", "18446744073709551615"})
+    expect_refused_with({"--seed", seed}, "--seed");
   for (const char* threads : {"0", "-2", "x"}) expect_refused_with({"--threads", threads}, "--threads");
 }
 
