@@ -45,8 +45,9 @@ void write_picture(const std::filesystem::path& file, const Surface& surface, co
   const std::vector<Rgba8> colours =
       labels ? colour_labels(surface, values, label_colours(surface, values), LabelStyle{.outlines = plan.outline})
              : scalar_colours(surface, values);
-  // One picture: geometry is not kept for a next one.
-  write_png(render(surface, colours, camera, RenderOptions{.cache_bytes = 0}), file);
+  RenderOptions options;
+  options.cache_bytes = 0;  // one picture: no geometry is kept for a next one
+  write_png(render(surface, colours, camera, options), file);
 }
 
 #else
