@@ -30,7 +30,7 @@ Beside each:
   cells.vtp     all cells with label, arrival and area, for ParaView and VTK
   regions.csv   a row for each region: seed, cells, area, share
   curve.csv     cells filled in each step
-  run.toml      repeats the run to the bit: $verdigris run $out/bunny/run.toml --out again
-Your own model:
+  run.toml      every setting: $verdigris run $out/cup/run.toml --out again
+Your own model, from this directory ($root):
   $verdigris voronoi MODEL.obj --out my-regions
 END
