@@ -35,7 +35,8 @@ class Digest {
   std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state_;
 };
 
-// Where the cells lie in a field, and which follow which. States are kept by place, random numbers are keyed by it.
+// Where the cells lie in a field, and which follow which. States are kept by place, random numbers are keyed
+// by it.
 std::string hash_of(const Surface& surface) {
   Digest digest;
   digest.add(surface.rows());
@@ -71,7 +72,8 @@ std::string described(const Field<std::uint8_t>& barrier) {
 
 }  // namespace
 
-RunIdentity identity_of(const BehaviourEntry& behaviour, const SimulationSetup& setup, const ParameterValues& values) {
+RunIdentity identity_of(const BehaviourEntry& behaviour, const SimulationSetup& setup,
+                        const ParameterValues& values) {
   const Surface& surface = setup.surface;
   RunIdentity identity{{"mesh hash", mesh_hash(surface.mesh())},
                        {"cell size", fmt::format("{}", surface.cell_size())},
@@ -81,7 +83,7 @@ RunIdentity identity_of(const BehaviourEntry& behaviour, const SimulationSetup& 
     double value = parameter.default_value;
     for (const auto& [name, given] : values)
       if (name == parameter.name) value = given;
-    identity.emplace_back(parameter.name, fmt::format("{}", value));
+    identity.emplace_back("parameter " + parameter.name, fmt::format("{}", value));
   }
   identity.emplace_back("seed of the random numbers", fmt::format("{}", setup.seed));
   identity.emplace_back("seeds", described(setup.seeds));
@@ -96,7 +98,8 @@ void check_identity(const std::string& where, const RunIdentity& saved, const Ru
                      "give model and options as they were then, or start again without this checkpoint");
   };
   const auto find = [](const RunIdentity& identity, const std::string& what) {
-    return std::find_if(identity.begin(), identity.end(), [&](const auto& pair) { return pair.first == what; });
+    return std::find_if(identity.begin(), identity.end(),
+                        [&](const auto& pair) { return pair.first == what; });
   };
   for (const auto& [what, value] : now) {
     const auto then = find(saved, what);

@@ -21,7 +21,8 @@ void check_seeds(const SimulationSetup& setup) {
   for (std::size_t k = 0; k < setup.seeds.size(); ++k) {
     const Seed& seed = setup.seeds[k];
     if (!(seed.weight > 0.0) || !std::isfinite(seed.weight))
-      throw InputError("seeds", fmt::format("seed {} has weight {}", k, seed.weight), "give weights greater than 0");
+      throw InputError("seeds", fmt::format("seed {} has weight {}", k, seed.weight),
+                       "give weights greater than 0");
     const auto [there, fresh] = at.emplace(seed.slot, k);
     if (!fresh)
       throw InputError("seeds", fmt::format("seeds {} and {} lie in one cell", there->second, k),
@@ -64,7 +65,7 @@ FrontStepper<VoronoiRule<Word>> VoronoiGrowth::start(const SimulationSetup& setu
 }
 
 VoronoiGrowth::VoronoiGrowth(const SimulationSetup& setup, const VoronoiParameters& parameters)
-    : surface_(setup.surface), seed_(setup.seed) {
+    : surface_(setup.surface), seed_(setup.seed), seed_count_(setup.seeds.size()) {
   check_seeds(setup);
   // Labels of more than 20 bits would leave fewer than 4094 steps.
   if (setup.seeds.size() <= (std::size_t{1} << 20))
@@ -73,21 +74,29 @@ VoronoiGrowth::VoronoiGrowth(const SimulationSetup& setup, const VoronoiParamete
     stepper_.emplace<Wide>(start<std::uint64_t>(setup, parameters));
 }
 
-void VoronoiGrowth::widen() {
-  Narrow& narrow = std::get<Narrow>(stepper_);
-  const auto& from = narrow.behaviour();
+namespace {
+
+VoronoiRule<std::uint64_t> wide_rule(const VoronoiRule<std::uint32_t>& narrow) {
   VoronoiRule<std::uint64_t> rule;
-  rule.label_bits = from.label_bits;
-  rule.corner_threshold = from.corner_threshold;
-  rule.speed = from.speed;
+  rule.label_bits = narrow.label_bits;
+  rule.corner_threshold = narrow.corner_threshold;
+  rule.speed = narrow.speed;
+  return rule;
+}
+
+}  // namespace
+
+void VoronoiGrowth::widen() {
+  const Narrow& narrow = std::get<Narrow>(stepper_);
+  auto rule = wide_rule(narrow.behaviour());
   Field<std::uint64_t> state(narrow.state().size());
   std::transform(narrow.state().begin(), narrow.state().end(), state.begin(), [&](std::uint32_t w) {
     using N = VoronoiRule<std::uint32_t>;
     using W = VoronoiRule<std::uint64_t>;
     return w == N::empty ? W::empty : w == N::blocked ? W::blocked : std::uint64_t{w};
   });
-  const std::uint64_t steps = narrow.steps();
-  stepper_.emplace<Wide>(surface_, std::move(rule), std::move(state), seed_, std::span<const std::uint32_t>{}, steps);
+  const Restart restart = narrow.restart();
+  stepper_.emplace<Wide>(surface_, std::move(rule), std::move(state), seed_, restart);
 }
 
 StepReport VoronoiGrowth::step() {
@@ -144,13 +153,39 @@ Field<std::int32_t> VoronoiGrowth::labels() const {
 }
 
 Field<std::int32_t> VoronoiGrowth::arrivals() const {
-  return each_slot(stepper_, [](const auto& rule, auto word) { return static_cast<std::int32_t>(rule.arrival_of(word)); });
+  return each_slot(
+      stepper_, [](const auto& rule, auto word) { return static_cast<std::int32_t>(rule.arrival_of(word)); });
 }
 
 Field<std::int32_t> VoronoiGrowth::field(std::string_view name) const {
   if (name == "label") return labels();
   if (name == "arrival") return arrivals();
   throw std::out_of_range(std::string(name));
+}
+
+SavedState VoronoiGrowth::save() const {
+  return visit_stepper(stepper_, [&](const auto& s) { return save_stepper(surface_, s); });
+}
+
+template <typename Word>
+void VoronoiGrowth::restart(const SavedState& saved, const VoronoiRule<Word>& rule) {
+  using Stepper = FrontStepper<VoronoiRule<Word>>;
+  const Restart restart = restart_of(surface_, saved);
+  Field<Word> state = restore_cells(surface_, saved, rule.outside());
+  for (const Word word : state)
+    if (rule.filled(word) && (static_cast<std::size_t>(rule.label_of(word)) >= seed_count_ ||
+                              static_cast<std::uint64_t>(rule.arrival_of(word)) > restart.step))
+      throw InputError("saved state", "it holds labels or steps that this growth cannot have reached",
+                       "start again");
+  stepper_.emplace<Stepper>(surface_, VoronoiRule<Word>(rule), std::move(state), seed_, restart);
+}
+
+void VoronoiGrowth::restore(const SavedState& saved) {
+  const bool narrow = !saved.arrays.empty() && saved.arrays[0].element_size == sizeof(std::uint32_t);
+  if (const auto* now = std::get_if<Narrow>(&stepper_))
+    narrow ? restart(saved, now->behaviour()) : restart(saved, wide_rule(now->behaviour()));
+  else
+    restart(saved, std::get<Wide>(stepper_).behaviour());
 }
 
 std::vector<Seed> random_seeds(const Surface& surface, std::size_t count, std::uint64_t seed,
@@ -163,18 +198,23 @@ std::vector<Seed> random_seeds(const Surface& surface, std::size_t count, std::u
     before.push_back(cells);
     cells += run.end - run.begin;
     free += barrier.empty() ? run.end - run.begin
-                            : static_cast<std::uint64_t>(std::count(barrier.begin() + run.begin, barrier.begin() + run.end, 0));
+                            : static_cast<std::uint64_t>(
+                                  std::count(barrier.begin() + run.begin, barrier.begin() + run.end, 0));
   }
   if (count > free)
-    throw InputError("seeds", fmt::format("{} seeds for {} cells{}", count, free, barrier.empty() ? "" : " outside the barrier"),
-                     "give fewer seeds, or use smaller cells");
+    throw InputError(
+        "seeds",
+        fmt::format("{} seeds for {} cells{}", count, free, barrier.empty() ? "" : " outside the barrier"),
+        "give fewer seeds, or use smaller cells");
 
   constexpr std::uint32_t placing = 0x53454544;
   std::vector<Seed> seeds;
   std::vector<bool> taken(surface.slot_count(), false);
   const auto take = [&](std::uint64_t cell) {
-    const auto row = static_cast<std::size_t>(std::upper_bound(before.begin(), before.end(), cell) - before.begin() - 1);
-    const auto slot = static_cast<std::uint32_t>(surface.owned(static_cast<std::uint32_t>(row)).begin + (cell - before[row]));
+    const auto row =
+        static_cast<std::size_t>(std::upper_bound(before.begin(), before.end(), cell) - before.begin() - 1);
+    const auto slot = static_cast<std::uint32_t>(surface.owned(static_cast<std::uint32_t>(row)).begin +
+                                                 (cell - before[row]));
     if (taken[slot] || (!barrier.empty() && barrier[slot] != 0)) return false;
     taken[slot] = true;
     seeds.push_back({slot, 1.0});
@@ -186,7 +226,8 @@ std::vector<Seed> random_seeds(const Surface& surface, std::size_t count, std::u
     ++draw;
     // A 64-bit fraction of `cells`, which is below 2^32.
     const std::uint64_t cell = (word[0] * cells + (word[1] * cells >> 32)) >> 32;
-    // Nearly full: the last free cells would be drawn too rarely, so go on from the drawn one to the next free.
+    // Nearly full: the last free cells would be drawn too rarely, so go on from the drawn one to the next
+    // free.
     if (!take(cell) && seeds.size() * 2 > free)
       for (std::uint64_t step = 1; step < cells && !take((cell + step) % cells); ++step) {
       }
@@ -198,7 +239,8 @@ BehaviourEntry voronoi_entry() {
   return {"voronoi", "regions grow from seeds until they meet (Gobron & Chiba 1999)", true,
           describe_parameters<VoronoiParameters>(),
           [](const SimulationSetup& setup, const ParameterValues& values) -> std::unique_ptr<AnySimulation> {
-            return std::make_unique<VoronoiGrowth>(setup, with_parameters<VoronoiParameters>("voronoi", values));
+            return std::make_unique<VoronoiGrowth>(setup,
+                                                   with_parameters<VoronoiParameters>("voronoi", values));
           }};
 }
 

@@ -18,24 +18,21 @@
 
 namespace verdigris {
 
-/// Runs a FrontBehaviour. A step evaluates the *candidates* (cells near a change, cells that wait), then applies the
-/// changes and makes their neighbours candidates; ghosts carry a change across edges at once. A StampedBehaviour does both
-/// in one pass, while the cells are at hand. One state buffer, one bit a slot beside it. The same bits as SweepStepper.
-/// The surface must outlive it.
+/// Runs a FrontBehaviour. A step evaluates the *candidates* (cells near a change, cells that wait), then
+/// applies the changes and makes their neighbours candidates; ghosts carry a change across edges at once. A
+/// StampedBehaviour does both in one pass, while the cells are at hand. One state buffer, one bit a slot
+/// beside it. The same bits as SweepStepper. The surface must outlive it.
 template <FrontBehaviour B>
 class FrontStepper {
  public:
   using State = typename B::State;
 
-  /// `state` as for SweepStepper. `sources`: evolving slots in whose neighbourhoods cells may change at first; with none
-  /// given every cell is a candidate once (after a restart, say).
+  /// `state` as for SweepStepper. `sources`: evolving slots in whose neighbourhoods cells may change at
+  /// first; with none given every cell is a candidate once.
   FrontStepper(const Surface& surface, B behaviour, Field<State> state, std::uint64_t seed,
-               std::span<const std::uint32_t> sources = {}, std::uint64_t step = 0)
-      : surface_(surface), behaviour_(std::move(behaviour)), state_(std::move(state)), seed_(seed), step_(step) {
-    if (surface_.link_kind() == LinkKind::unfolded)
-      surface_.links().for_each([&](std::uint32_t source, auto targets) {
-        for (const std::uint32_t ghost : targets) state_[ghost] = state_[source];
-      });
+               std::span<const std::uint32_t> sources = {})
+      : surface_(surface), behaviour_(std::move(behaviour)), state_(std::move(state)), seed_(seed), step_(0) {
+    refresh_ghosts();
     std::vector<std::uint32_t> starts(sources.begin(), sources.end());
     if constexpr (MergingBehaviour<B>)
       if (surface_.link_kind() == LinkKind::projected) {
@@ -45,23 +42,31 @@ class FrontStepper {
           starts.push_back(slot);
         }
       }
-    // A marked slot never becomes a candidate: it is one, it does not evolve, or it is settled.
-    marks_.assign(surface_.slot_count() / 64 + 2, ~std::uint64_t{0});
-    const auto rows = surface_.rows();
-    for (const Row& row : rows) unmark_unsettled(row.run_begin, row.run_end);
+    mark_all_but_unsettled();
     if (sources.empty()) {
-      // In place, only cells that wait may be candidates: a change beside any other makes it one.
-      for (std::uint32_t r = 0; r < rows.size(); ++r)
-        for (std::uint32_t slot = rows[r].run_begin; slot < rows[r].run_end; ++slot)
-          if ((!StampedBehaviour<B> || behaviour_.waits(around({r, slot}))) && test_and_mark<false>(slot, 1u) != 0)
-            candidates_.push({r, slot});
-    } else {
-      for (const std::uint32_t slot : starts) {
-        candidates_.reserve_more(most_marked);
-        mark_around<false, false>(slot, surface_.row_of(slot), candidates_);
-        spread_to_targets<false>(slot, candidates_);
-      }
+      consider_all();
+      return;
     }
+    for (const std::uint32_t slot : starts) {
+      candidates_.reserve_more(most_marked);
+      mark_around<false, false>(slot, surface_.row_of(slot), candidates_);
+      spread_to_targets<false>(slot, candidates_);
+    }
+  }
+
+  /// Goes on with a run that stands at `restart`: every cell is a candidate once, and pairs have been made
+  /// common.
+  FrontStepper(const Surface& surface, B behaviour, Field<State> state, std::uint64_t seed,
+               const Restart& restart)
+      : surface_(surface),
+        behaviour_(std::move(behaviour)),
+        state_(std::move(state)),
+        seed_(seed),
+        step_(restart.step) {
+    refresh_ghosts();
+    for (const std::uint32_t slot : restart.merged) merges_.emplace_back(slot, state_[slot]);
+    mark_all_but_unsettled();
+    consider_all();
   }
 
   /// No cell can change any more.
@@ -83,6 +88,11 @@ class FrontStepper {
   const Field<State>& state() const { return state_; }
   Field<State> take_state() { return std::move(state_); }
   std::uint64_t steps() const { return step_; }
+  Restart restart() const {
+    Restart restart{step_, {}};
+    for (const auto& merge : merges_) restart.merged.push_back(merge.first);
+    return restart;
+  }
   const B& behaviour() const { return behaviour_; }
   /// Bytes of state, marks and lists.
   std::size_t bytes() const {
@@ -133,7 +143,8 @@ class FrontStepper {
     }
     template <typename Keep>
     void keep_if(Keep&& keep) {
-      size_ = static_cast<std::size_t>(std::remove_if(room_.begin(), room_.begin() + static_cast<std::ptrdiff_t>(size_),
+      size_ = static_cast<std::size_t>(std::remove_if(room_.begin(),
+                                                      room_.begin() + static_cast<std::ptrdiff_t>(size_),
                                                       [&](const T& t) { return !keep(t); }) -
                                        room_.begin());
     }
@@ -208,8 +219,8 @@ class FrontStepper {
     __builtin_prefetch(n.above);
   }
 
-  // One pass: evaluate, write, spread. Other threads may read a state while it is written; they take it for what it was
-  // before either way.
+  // One pass: evaluate, write, spread. Other threads may read a state while it is written; they take it for
+  // what it was before either way.
   template <bool Shared>
   std::uint64_t advance(const Place* begin, const Place* end, List<Place>& next) {
     const Links& links = surface_.links();
@@ -274,7 +285,8 @@ class FrontStepper {
     const Links& links = surface_.links();
     constexpr std::size_t block = 256;  // room is made block by block
     for (const Change* change = changes.begin(); change != changes.end();) {
-      const Change* stop = change + std::min<std::size_t>(block, static_cast<std::size_t>(changes.end() - change));
+      const Change* stop =
+          change + std::min<std::size_t>(block, static_cast<std::size_t>(changes.end() - change));
       next.reserve_more(block * most_marked);
       for (; change != stop; ++change) {
         state_[change->slot] = change->state;
@@ -288,10 +300,9 @@ class FrontStepper {
     }
   }
 
-  // Pairs are made common for what changed in this turn, and for what cells took from partners in the one before.
-  std::uint64_t make_pairs_common()
-    requires MergingBehaviour<B>
-  {
+  // Pairs are made common for what changed in this turn, and for what cells took from partners in the one
+  // before.
+  std::uint64_t make_pairs_common() requires MergingBehaviour<B> {
     std::vector<std::uint32_t> sources;
     for (const Change& change : changes_) sources.push_back(change.slot);
     for (const auto& [slot, state] : merges_) sources.push_back(slot);
@@ -313,7 +324,8 @@ class FrontStepper {
   void spread_to_targets(std::uint32_t slot, List<Place>& next) {
     const auto targets = surface_.links().targets(slot);
     next.reserve_more((targets.size() + 1) * most_marked);
-    for (const std::uint32_t target : targets) mark_around<Shared, true>(target, surface_.row_of(target), next);
+    for (const std::uint32_t target : targets)
+      mark_around<Shared, true>(target, surface_.row_of(target), next);
   }
 
   // Makes the unmarked ones of a slot and its eight neighbours candidates; `next` has room for them.
@@ -326,7 +338,8 @@ class FrontStepper {
       const std::uint32_t first = r.base + column - 1;
       std::uint32_t wanted = 7;
       if constexpr (Ghost) {
-        // Around a ghost the row may end before the column: those slots belong to another row, and may evolve there.
+        // Around a ghost the row may end before the column: those slots belong to another row, and may evolve
+        // there.
         wanted = 0;
         for (std::uint32_t k = 0; k < 3; ++k)
           wanted |= static_cast<std::uint32_t>(first + k - r.run_begin < r.run_end - r.run_begin) << k;
@@ -367,11 +380,35 @@ class FrontStepper {
     }
   }
 
+  void refresh_ghosts() {
+    if (surface_.link_kind() != LinkKind::unfolded) return;
+    surface_.links().for_each([&](std::uint32_t source, auto targets) {
+      for (const std::uint32_t ghost : targets) state_[ghost] = state_[source];
+    });
+  }
+
+  // A marked slot never becomes a candidate: it is one, it does not evolve, or it is settled.
+  void mark_all_but_unsettled() {
+    marks_.assign(surface_.slot_count() / 64 + 2, ~std::uint64_t{0});
+    for (const Row& row : surface_.rows()) unmark_unsettled(row.run_begin, row.run_end);
+  }
+
+  // In place, only cells that wait may be candidates: a change beside any other makes it one.
+  void consider_all() {
+    const auto rows = surface_.rows();
+    for (std::uint32_t r = 0; r < rows.size(); ++r)
+      for (std::uint32_t slot = rows[r].run_begin; slot < rows[r].run_end; ++slot)
+        if ((!StampedBehaviour<B> || behaviour_.waits(around({r, slot}))) &&
+            test_and_mark<false>(slot, 1u) != 0)
+          candidates_.push({r, slot});
+  }
+
   void unmark_unsettled(std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t slot = begin; slot < end;) {
       const std::uint32_t stop = std::min(end, (slot | 63u) + 1u);
       std::uint64_t open = 0;
-      for (std::uint32_t s = slot; s < stop; ++s) open |= std::uint64_t{!behaviour_.settled(state_[s])} << (s & 63u);
+      for (std::uint32_t s = slot; s < stop; ++s)
+        open |= std::uint64_t{!behaviour_.settled(state_[s])} << (s & 63u);
       marks_[slot >> 6] &= ~open;
       slot = stop;
     }

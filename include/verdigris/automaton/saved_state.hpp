@@ -23,7 +23,8 @@ struct StateArray {
   std::vector<std::byte> bytes;
 };
 
-/// Where a simulation stands. With the setup and the parameters it was made with, all it takes to go on from there.
+/// Where a simulation stands. With the setup and the parameters it was made with, all it takes to go on from
+/// there.
 struct SavedState {
   std::uint64_t step = 0;  ///< steps made so far
   std::vector<StateArray> arrays;
@@ -58,7 +59,7 @@ void check_cells(const StateArray& array, const Surface& surface);
 /// The states of the evolving cells in row order.
 template <typename State>
 StateArray save_cells(const Surface& surface, const Field<State>& state, std::string name = "cells") {
-  static_assert(std::is_arithmetic_v<State>);
+  static_assert(std::is_arithmetic_v<State> || std::is_enum_v<State>);
   StateArray array{std::move(name), sizeof(State), {}};
   array.bytes.reserve(evolving_count(surface) * sizeof(State));
   for (const Row& row : surface.rows()) {
@@ -68,8 +69,8 @@ StateArray save_cells(const Surface& surface, const Field<State>& state, std::st
   return array;
 }
 
-/// A field with the evolving cells as save_cells saw them, `elsewhere` in all other slots. Throws InputError when the
-/// array is not there or not of this surface.
+/// A field with the evolving cells as save_cells saw them, `elsewhere` in all other slots. Throws InputError
+/// when the array is not there or not of this surface.
 template <typename State>
 Field<State> restore_cells(const Surface& surface, const SavedState& saved, State elsewhere,
                            std::string_view name = "cells") {
@@ -84,5 +85,17 @@ Field<State> restore_cells(const Surface& surface, const SavedState& saved, Stat
   }
   return state;
 }
+
+/// A stepper as it stands: its cells, and what its Restart holds.
+template <typename Stepper>
+SavedState save_stepper(const Surface& surface, const Stepper& stepper) {
+  const Restart restart = stepper.restart();
+  return {restart.step,
+          {save_cells(surface, stepper.state()),
+           save_numbers("merged", std::span<const std::uint32_t>(restart.merged))}};
+}
+
+/// The Restart of a stepper that save_stepper saved. Throws InputError when it is not of this surface.
+Restart restart_of(const Surface& surface, const SavedState& saved);
 
 }  // namespace verdigris

@@ -21,10 +21,21 @@ class SweepStepper {
   using State = typename B::State;
 
   /// `state` holds a value for each slot of the surface; those of ghosts are made anew from their owners.
-  SweepStepper(const Surface& surface, B behaviour, Field<State> state, std::uint64_t seed, std::uint64_t step = 0)
-      : surface_(surface), behaviour_(std::move(behaviour)), state_(std::move(state)), seed_(seed), step_(step) {
-    refresh_ghosts();
+  SweepStepper(const Surface& surface, B behaviour, Field<State> state, std::uint64_t seed)
+      : SweepStepper(surface, std::move(behaviour), std::move(state), seed, Restart{}) {
     make_pairs_common();
+    next_ = state_;
+  }
+
+  /// Goes on with a run that stands at `restart`; there the pairs have been made common.
+  SweepStepper(const Surface& surface, B behaviour, Field<State> state, std::uint64_t seed,
+               const Restart& restart)
+      : surface_(surface),
+        behaviour_(std::move(behaviour)),
+        state_(std::move(state)),
+        seed_(seed),
+        step_(restart.step) {
+    refresh_ghosts();
     next_ = state_;
   }
 
@@ -35,10 +46,13 @@ class SweepStepper {
     const auto total = tbb::parallel_reduce(
         tbb::blocked_range<std::size_t>(0, rows.size(), 64), Counts{},
         [&](const tbb::blocked_range<std::size_t>& range, Counts counts) {
-          for (std::size_t r = range.begin(); r < range.end(); ++r) sweep_row(static_cast<std::uint32_t>(r), counts);
+          for (std::size_t r = range.begin(); r < range.end(); ++r)
+            sweep_row(static_cast<std::uint32_t>(r), counts);
           return counts;
         },
-        [](Counts a, Counts b) { return Counts{a.changed + b.changed, a.visited + b.visited}; });
+        [](Counts a, Counts b) {
+          return Counts{a.changed + b.changed, a.visited + b.visited};
+        });
     state_.swap(next_);
     ++step_;
     report.changed = total.changed;
@@ -50,6 +64,7 @@ class SweepStepper {
 
   const Field<State>& state() const { return state_; }
   std::uint64_t steps() const { return step_; }
+  Restart restart() const { return {step_, {}}; }
   const B& behaviour() const { return behaviour_; }
 
  private:
@@ -76,9 +91,11 @@ class SweepStepper {
     const Links& links = surface_.links();
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, links.word_count(), 1024),
                       [&](const tbb::blocked_range<std::size_t>& range) {
-                        links.for_each_between(range.begin(), range.end(), [&](std::uint32_t source, auto targets) {
-                          for (const std::uint32_t ghost : targets) state_[ghost] = state_[source];
-                        });
+                        links.for_each_between(range.begin(), range.end(),
+                                               [&](std::uint32_t source, auto targets) {
+                                                 for (const std::uint32_t ghost : targets)
+                                                   state_[ghost] = state_[source];
+                                               });
                       });
   }
 

@@ -21,11 +21,12 @@ struct VoronoiParameters {
   }
 };
 
-/// Regions growing from seeds until they meet; label k is seed k. Words of 32 bits hold arrival and label; they widen to
-/// 64 by themselves should the steps outgrow them.
+/// Regions growing from seeds until they meet; label k is seed k. Words of 32 bits hold arrival and label;
+/// they widen to 64 by themselves should the steps outgrow them.
 class VoronoiGrowth final : public AnySimulation {
  public:
-  /// Throws InputError when there are no seeds, two in one cell, a weight that is not positive, or a seed on a barrier.
+  /// Throws InputError when there are no seeds, two in one cell, a weight that is not positive, or a seed on
+  /// a barrier.
   VoronoiGrowth(const SimulationSetup& setup, const VoronoiParameters& parameters);
 
   StepReport step() override;
@@ -34,6 +35,8 @@ class VoronoiGrowth final : public AnySimulation {
   std::size_t bytes() const override;
   std::vector<FieldInfo> fields() const override;
   Field<std::int32_t> field(std::string_view name) const override;
+  SavedState save() const override;
+  void restore(const SavedState& saved) override;
 
   Field<std::int32_t> labels() const;    ///< [slot] label, -1 where growth did not come
   Field<std::int32_t> arrivals() const;  ///< [slot] step of arrival, 0 at seeds, -1 where growth did not come
@@ -42,16 +45,20 @@ class VoronoiGrowth final : public AnySimulation {
   using Narrow = FrontStepper<VoronoiRule<std::uint32_t>>;
   using Wide = FrontStepper<VoronoiRule<std::uint64_t>>;
   template <typename Word>
-  FrontStepper<VoronoiRule<Word>> start(const SimulationSetup& setup, const VoronoiParameters& parameters) const;
+  FrontStepper<VoronoiRule<Word>> start(const SimulationSetup& setup,
+                                        const VoronoiParameters& parameters) const;
+  template <typename Word>
+  void restart(const SavedState& saved, const VoronoiRule<Word>& rule);
   void widen();
 
   const Surface& surface_;
   std::uint64_t seed_;
+  std::size_t seed_count_;
   std::variant<std::monostate, Narrow, Wide> stepper_;
 };
 
-/// Cells for `count` seeds, uniform by area and different from each other, from random numbers keyed by `seed`.
-/// Throws InputError when the surface has fewer cells, or fewer outside `barrier`.
+/// Cells for `count` seeds, uniform by area and different from each other, from random numbers keyed by
+/// `seed`. Throws InputError when the surface has fewer cells, or fewer outside `barrier`.
 std::vector<Seed> random_seeds(const Surface& surface, std::size_t count, std::uint64_t seed,
                                const Field<std::uint8_t>& barrier = {});
 
