@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstring>
 #include <system_error>
 #include <utility>
@@ -31,7 +33,9 @@ ReplaceFile::~ReplaceFile() {
   ::unlink(aside_.c_str());
 }
 
-void ReplaceFile::write(std::string_view text) { write(text.data(), text.size()); }
+void ReplaceFile::write(std::string_view text) {
+  write(text.data(), text.size());
+}
 
 void ReplaceFile::write(const void* data, std::size_t bytes) {
   if (bytes != 0 && std::fwrite(data, 1, bytes, file_) != bytes) fail("could not be written in full");
@@ -51,6 +55,23 @@ void ReplaceFile::commit() {
 
 void ReplaceFile::fail(const char* what) const {
   throw InputError(target_.string(), fmt::format("{}: {}", what, std::strerror(errno)), remedy);
+}
+
+void remove_abandoned(const std::filesystem::path& target) {
+  const std::string prefix = target.filename().string() + '.', suffix = ".part";
+  const std::filesystem::path directory = target.has_parent_path() ? target.parent_path() : ".";
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(directory, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (!name.starts_with(prefix) || !name.ends_with(suffix) || name.size() <= prefix.size() + suffix.size())
+      continue;
+    ::pid_t process = 0;
+    const char* const last = name.data() + name.size() - suffix.size();
+    const auto [rest, wrong] = std::from_chars(name.data() + prefix.size(), last, process);
+    if (wrong == std::errc() && rest == last && process > 0 && ::kill(process, 0) != 0 && errno == ESRCH)
+      ::unlink(entry->path().c_str());
+  }
 }
 
 void make_directory(const std::filesystem::path& directory) {

@@ -31,6 +31,9 @@ class ReplaceFile {
   std::FILE* file_ = nullptr;
 };
 
+/// Removes what processes that ended before their commit left beside `target`.
+void remove_abandoned(const std::filesystem::path& target);
+
 /// Makes `directory` and its parents. Throws InputError when that cannot be done.
 void make_directory(const std::filesystem::path& directory);
 
