@@ -89,6 +89,11 @@ void print_json(const Options& options, const Findings& f) {
   fmt::print("{}\n", report.dump(2));
 }
 
+std::string memory(double bytes) {
+  return bytes < 1e6 ? fmt::format("{:.0f} kB", bytes / 1e3)
+                     : bytes < 1e9 ? fmt::format("{:.0f} MB", bytes / 1e6) : fmt::format("{:.1f} GB", bytes / 1e9);
+}
+
 void line(const char* name, const std::string& value) { fmt::print("  {:<26}{}\n", name, value); }
 
 void count(const char* name, std::size_t number, const char* when_any) {
@@ -132,8 +137,8 @@ void print_text(const Options& options, const Findings& f) {
   if (f.narrow > 0 && m.smallest_height > 0.0)
     line("", fmt::format("cells below {:.3g} resolve all; with --links projected growth leaps across narrow triangles",
                          m.smallest_height));
-  line("memory", fmt::format("{:.0f} MB for the surface, {:.0f} MB with Voronoi growth", f.estimate.bytes / 1e6,
-                             growth_bytes(f.estimate) / 1e6));
+  line("memory", fmt::format("{} for the surface, {} with Voronoi growth", memory(f.estimate.bytes),
+                             memory(growth_bytes(f.estimate))));
 }
 
 }  // namespace
