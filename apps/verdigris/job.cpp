@@ -12,6 +12,7 @@
 #include <optional>
 #include <unordered_map>
 
+#include "checkpoints.hpp"
 #include "picture.hpp"
 #include "progress.hpp"
 #include "verdigris/behaviours/builtin.hpp"
@@ -44,11 +45,14 @@ LoadedMesh load(Scene& scene) {
   loaded.mesh = read_mesh(scene.mesh, &loaded.read);
   const std::string hash = mesh_hash(loaded.mesh);
   if (!scene.mesh_hash.empty() && scene.mesh_hash != hash)
-    throw InputError(scene.mesh.string(),
-                     fmt::format("is not the mesh of this scene: its hash is {}, not {}", hash, scene.mesh_hash),
-                     "find the model the scene was made with, or remove `hash` from the scene to run it on this one");
+    throw InputError(
+        scene.mesh.string(),
+        fmt::format("is not the mesh of this scene: its hash is {}, not {}", hash, scene.mesh_hash),
+        "find the model the scene was made with, or remove `hash` from the scene to run it on this one");
   scene.mesh_hash = hash;
   if (scene.mend) loaded.mesh = mend(loaded.mesh, &loaded.mended);
+  if (!(mesh_area(loaded.mesh) > 0.0))
+    throw InputError(scene.mesh.string(), "its faces have no area", "choose a model with a surface");
   return loaded;
 }
 
@@ -69,7 +73,8 @@ PlacedSeeds place_seeds(const Surface& surface, const Scene& scene, std::size_t 
     for (const WeightedPoint& p : plan.points) points.push_back(p.position);
     const Mesh& mesh = surface.mesh();
     for (const std::uint32_t v : plan.vertices) {
-      const std::size_t known = mesh.vertex_of_file.empty() ? mesh.positions.size() : mesh.vertex_of_file.size();
+      const std::size_t known =
+          mesh.vertex_of_file.empty() ? mesh.positions.size() : mesh.vertex_of_file.size();
       if (v >= known)
         throw InputError("seeds", fmt::format("there is no vertex {}", v),
                          fmt::format("the file has {} vertices, counted from 0", file_vertices));
@@ -86,7 +91,8 @@ PlacedSeeds place_seeds(const Surface& surface, const Scene& scene, std::size_t 
   }
   if (!plan.weights.empty()) {
     if (plan.weights.size() != placed.seeds.size())
-      throw InputError("seeds", fmt::format("{} weights for {} seeds", plan.weights.size(), placed.seeds.size()),
+      throw InputError("seeds",
+                       fmt::format("{} weights for {} seeds", plan.weights.size(), placed.seeds.size()),
                        "give one weight for each seed");
     for (std::size_t k = 0; k < placed.seeds.size(); ++k) placed.seeds[k].weight = plan.weights[k];
   }
@@ -95,8 +101,8 @@ PlacedSeeds place_seeds(const Surface& surface, const Scene& scene, std::size_t 
 
 Field<std::uint8_t> make_barrier(const Surface& surface, const Scene& scene, const ReadReport& read) {
   if (scene.barrier.mask.empty()) return {};
-  const Field<float> mask = file_values(surface, read_numbers(scene.barrier.mask), read.file_vertices, read.file_faces,
-                                        scene.barrier.mask.string());
+  const Field<float> mask = file_values(surface, read_numbers(scene.barrier.mask), read.file_vertices,
+                                        read.file_faces, scene.barrier.mask.string());
   Field<std::uint8_t> barrier(mask.size(), 0);
   for (const Row& row : surface.rows())
     for (std::uint32_t slot = row.run_begin; slot < row.run_end; ++slot)
@@ -105,14 +111,20 @@ Field<std::uint8_t> make_barrier(const Surface& surface, const Scene& scene, con
 }
 
 // Steps until nothing changes, the asked number is reached, or the user stops it.
-bool grow(AnySimulation& simulation, const Scene& scene, std::uint64_t cells, Progress& progress) {
+bool grow(AnySimulation& simulation, const Scene& scene, std::uint64_t cells, Progress& progress,
+          CheckpointWriter& checkpoints) {
   progress.stage("growing");
   std::uint64_t changed = 0;
-  while (!simulation.finished() && (scene.steps == 0 || simulation.steps() < scene.steps)) {
+  const auto ended = [&] {
+    return simulation.finished() || (scene.steps != 0 && simulation.steps() >= scene.steps);
+  };
+  while (!ended()) {
     if (interrupted()) return false;
     changed += simulation.step().changed;
-    const double share = scene.steps != 0 ? static_cast<double>(simulation.steps()) / static_cast<double>(scene.steps)
-                                          : static_cast<double>(changed) / static_cast<double>(cells);
+    if (!ended()) checkpoints.after_step(simulation);
+    const double share = scene.steps != 0
+                             ? static_cast<double>(simulation.steps()) / static_cast<double>(scene.steps)
+                             : static_cast<double>(changed) / static_cast<double>(cells);
     progress.update(std::min(share, 1.0), fmt::format("step {}", simulation.steps()));
   }
   return true;
@@ -122,6 +134,16 @@ double peak_memory_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) * 1024.0;
+}
+
+// What the simulation depends on, and what it is easier to say of it than that cells lie elsewhere.
+RunIdentity identity_of_run(const Scene& scene, const BehaviourEntry& behaviour,
+                            const SimulationSetup& setup) {
+  RunIdentity identity{{"verdigris version", VERDIGRIS_VERSION},
+                       {"mend", scene.mend ? "true" : "false"},
+                       {"barrier angle", fmt::format("{}", scene.barrier.angle)}};
+  for (auto& pair : identity_of(behaviour, setup, scene.parameters)) identity.push_back(std::move(pair));
+  return identity;
 }
 
 }  // namespace
@@ -134,8 +156,19 @@ int run_job(Scene scene, const RunOptions& options) {
   const Catalogue catalogue = builtin_catalogue();
   const BehaviourEntry& behaviour = catalogue.find(scene.behaviour);
   check_parameters(behaviour.name, behaviour.parameters, scene.parameters);
-  const std::filesystem::path out = options.out;
+  if (scene.picture.draw) check_picture(scene.picture);
+  const std::filesystem::path out = options.out, checkpoint_file = out / "checkpoint.vgc";
+  const CheckpointInterval interval = parse_interval(options.checkpoint_every);
+  std::optional<Checkpoint> checkpoint;
+  if (options.resume) checkpoint = checkpoint_to_resume(checkpoint_file, scene.steps);
   make_directory(out);
+  if (!options.resume && !options.quiet && std::filesystem::exists(checkpoint_file))
+    fmt::print(stderr,
+               "note: {} of an unfinished run is there; --resume would go on from it, this run replaces it\n",
+               checkpoint_file.string());
+  for (const char* name :
+       {"cells.vtp", "regions.csv", "curve.csv", "run.toml", "picture.png", "checkpoint.vgc"})
+    remove_abandoned(out / name);
   watch_for_interrupt();
 
   nlohmann::ordered_json seconds;
@@ -152,30 +185,50 @@ int run_job(Scene scene, const RunOptions& options) {
 
   progress.stage("building surface");
   if (scene.cell_size <= 0.0) scene.cell_size = cell_size_for(loaded.mesh, scene.cells);
-  const Surface surface = make_surface(std::move(loaded.mesh), {scene.cell_size, scene.links, scene.barrier.angle});
+  const Surface surface =
+      make_surface(std::move(loaded.mesh), {scene.cell_size, scene.links, scene.barrier.angle});
   if (surface.owned_count() == 0)
-    throw InputError(scene.mesh.string(), fmt::format("cells of {:g} are larger than every triangle: no cell has its centre in one",
-                                                      scene.cell_size),
-                     "use smaller cells (--cell-size), or more of them (--cells)");
+    throw InputError(
+        scene.mesh.string(),
+        fmt::format("cells of {:g} are larger than every triangle: no cell has its centre in one",
+                    scene.cell_size),
+        "use smaller cells (--cell-size), or more of them (--cells)");
   lap("build");
 
-  const Field<std::uint8_t> barrier = make_barrier(surface, scene, loaded.read);
-  if (behaviour.needs_seeds && scene.seeds.count == 0 && scene.seeds.points.empty() && scene.seeds.vertices.empty())
-    throw InputError("seeds", fmt::format("{} needs some", behaviour.name), "give --seeds, or [seeds] in the scene");
+  Field<std::uint8_t> barrier = make_barrier(surface, scene, loaded.read);
+  if (behaviour.needs_seeds && scene.seeds.count == 0 && scene.seeds.points.empty() &&
+      scene.seeds.vertices.empty())
+    throw InputError("seeds", fmt::format("{} needs some", behaviour.name),
+                     "give --seeds, or [seeds] in the scene");
   const PlacedSeeds placed = place_seeds(surface, scene, loaded.read.file_vertices, barrier);
   lap("place_seeds");
 
-  const auto simulation = behaviour.create({surface, scene.seed, placed.seeds, barrier}, scene.parameters);
+  const SimulationSetup setup{surface, scene.seed, placed.seeds, std::move(barrier)};
+  const RunIdentity identity = identity_of_run(scene, behaviour, setup);
+  const auto simulation = behaviour.create(setup, scene.parameters);
+  if (checkpoint) {
+    resume(*simulation, *checkpoint, identity, checkpoint_file);
+    checkpoint.reset();
+  }
+  const std::uint64_t first_step = simulation->steps();
+  if (options.resume && !options.quiet && !options.json)
+    fmt::print(stderr, "resuming at step {}\n", first_step);
   lap("start");
-  const bool complete = grow(*simulation, scene, surface.owned_count(), progress);
-  if (!complete) scene.steps = std::max<std::uint64_t>(simulation->steps(), 1);
+  CheckpointWriter checkpoints(checkpoint_file, interval, identity);
+  const bool complete = grow(*simulation, scene, surface.owned_count(), progress, checkpoints);
+  bool resumable = false;
+  if (!complete) {
+    scene.steps = std::max<std::uint64_t>(simulation->steps(), 1);
+    resumable = checkpoints.write_now(*simulation);  // first: a second Ctrl-C ends the program at once
+  }
   lap("grow");
 
   progress.stage("writing cells");
   std::vector<Field<std::int32_t>> fields;
   std::vector<CellArray> arrays;
   for (const FieldInfo& info : simulation->fields()) fields.push_back(simulation->field(info.name));
-  for (std::size_t k = 0; k < fields.size(); ++k) arrays.push_back({simulation->fields()[k].name, &fields[k]});
+  for (std::size_t k = 0; k < fields.size(); ++k)
+    arrays.push_back({simulation->fields()[k].name, &fields[k]});
   write_cells_vtp(out / "cells.vtp", surface, arrays);
   std::vector<std::string> files{"cells.vtp"};
 
@@ -204,54 +257,65 @@ int run_job(Scene scene, const RunOptions& options) {
   }
   lap("picture");
   progress.finish();
+  if (complete) checkpoints.remove();
+  if (resumable) files.push_back(checkpoint_file.filename().string());
   seconds["total"] = seconds_since(started);
 
   const double grown = seconds["grow"].get<double>() + seconds["start"].get<double>();
   const double cells = static_cast<double>(surface.owned_count());
-  if (placed.farthest > 0.01 * glm::length(mesh_bounds(surface.mesh()).upper - mesh_bounds(surface.mesh()).lower))
-    fmt::print(stderr, "warning: a seed point lies {:.4g} model units from the surface; it was moved there\n", placed.farthest);
-  if (!complete) fmt::print(stderr, "stopped after step {}; the results so far are written\n", simulation->steps());
+  if (placed.farthest >
+      0.01 * glm::length(mesh_bounds(surface.mesh()).upper - mesh_bounds(surface.mesh()).lower))
+    fmt::print(stderr, "warning: a seed point lies {:.4g} model units from the surface; it was moved there\n",
+               placed.farthest);
+  if (!complete)
+    fmt::print(stderr, "stopped after step {}; the results so far are written{}\n", simulation->steps(),
+               resumable ? "; the same command with --resume goes on from there" : "");
   if (options.json) {
-    nlohmann::ordered_json report{{"version", VERDIGRIS_VERSION},
-                                  {"mesh", scene.mesh.string()},
-                                  {"mesh_hash", scene.mesh_hash},
-                                  {"behaviour", scene.behaviour},
-                                  {"complete", complete},
-                                  {"triangles", surface.patch_count()},
-                                  {"cells", surface.owned_count()},
-                                  {"cell_size", surface.cell_size()},
-                                  {"links", name_of(scene.links)},
-                                  {"ghosts", surface.ghost_count()},
-                                  {"ghosts_at_boundaries", surface.open_ghost_count()},
-                                  {"ghosts_lost", surface.lost_ghost_count()},
-                                  {"seeds", placed.seeds.size()},
-                                  {"steps", simulation->steps()},
-                                  {"cells_not_reached", unreached},
-                                  {"bytes_per_cell", static_cast<double>(surface.bytes() + simulation->bytes()) / cells},
-                                  {"peak_memory_bytes", peak_memory_bytes()},
-                                  {"seconds", seconds},
-                                  {"build_cells_per_second", cells / seconds["build"].get<double>()},
-                                  {"grow_cells_per_second", cells / grown},
-                                  {"out", out.string()},
-                                  {"files", files}};
+    nlohmann::ordered_json report{
+        {"version", VERDIGRIS_VERSION},
+        {"mesh", scene.mesh.string()},
+        {"mesh_hash", scene.mesh_hash},
+        {"behaviour", scene.behaviour},
+        {"complete", complete},
+        {"triangles", surface.patch_count()},
+        {"cells", surface.owned_count()},
+        {"cell_size", surface.cell_size()},
+        {"links", name_of(scene.links)},
+        {"ghosts", surface.ghost_count()},
+        {"ghosts_at_boundaries", surface.open_ghost_count()},
+        {"ghosts_lost", surface.lost_ghost_count()},
+        {"seeds", placed.seeds.size()},
+        {"steps", simulation->steps()},
+        {"first_step", first_step},
+        {"cells_not_reached", unreached},
+        {"bytes_per_cell", static_cast<double>(surface.bytes() + simulation->bytes()) / cells},
+        {"peak_memory_bytes", peak_memory_bytes()},
+        {"seconds", seconds},
+        {"build_cells_per_second", cells / seconds["build"].get<double>()},
+        {"grow_cells_per_second", cells / grown},
+        {"out", out.string()},
+        {"files", files}};
     if (scene.mend)
       report["mended"] = {{"duplicates_removed", loaded.mended.duplicates_removed},
                           {"triangles_flipped", loaded.mended.triangles_flipped},
                           {"unorientable_components", loaded.mended.unorientable_components}};
     fmt::print("{}\n", report.dump(2));
   } else if (!options.quiet) {
-    fmt::print("{}: {} triangles, {} cells of {:.4g}\n", scene.mesh.filename().string(), surface.patch_count(),
-               surface.owned_count(), surface.cell_size());
+    fmt::print("{}: {} triangles, {} cells of {:.4g}\n", scene.mesh.filename().string(),
+               surface.patch_count(), surface.owned_count(), surface.cell_size());
     if (scene.mend)
-      fmt::print("mended: {} duplicate faces removed, {} triangles flipped, {} components that cannot be oriented\n",
-                 loaded.mended.duplicates_removed, loaded.mended.triangles_flipped, loaded.mended.unorientable_components);
+      fmt::print(
+          "mended: {} duplicate faces removed, {} triangles flipped, {} components that cannot be oriented\n",
+          loaded.mended.duplicates_removed, loaded.mended.triangles_flipped,
+          loaded.mended.unorientable_components);
     fmt::print("{} seeds, {} steps{}\n", placed.seeds.size(), simulation->steps(),
                unreached == 0 ? "" : fmt::format("; {} cells were not reached", unreached));
-    fmt::print("read {:.2f} s, build {:.2f} s ({:.1f} M cells/s), grow {:.2f} s ({:.1f} M cells/s), write {:.2f} s, "
-               "picture {:.2f} s; peak memory {:.0f} MB\n",
-               seconds["read"].get<double>(), seconds["build"].get<double>(), cells / seconds["build"].get<double>() / 1e6,
-               grown, cells / grown / 1e6, seconds["write"].get<double>(), seconds["picture"].get<double>(),
-               peak_memory_bytes() / 1e6);
+    fmt::print(
+        "read {:.2f} s, build {:.2f} s ({:.1f} M cells/s), grow {:.2f} s ({:.1f} M cells/s), write {:.2f} s, "
+        "picture {:.2f} s; peak memory {:.0f} MB\n",
+        seconds["read"].get<double>(), seconds["build"].get<double>(),
+        cells / seconds["build"].get<double>() / 1e6, grown, cells / grown / 1e6,
+        seconds["write"].get<double>(), seconds["picture"].get<double>(), peak_memory_bytes() / 1e6);
     fmt::print("in {}: {}\n", out.string(), fmt::join(files, ", "));
   }
   return complete ? 0 : 130;

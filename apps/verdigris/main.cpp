@@ -16,7 +16,8 @@ constexpr int bad_input = 2;
 int main(int argc, char** argv) {
   CLI::App app{
       "Cellular automata on the surface of any triangle mesh.\n"
-      "Every triangle is laid on its own grid of square cells; behaviours grow over the model across its edges.",
+      "Every triangle is laid on its own grid of square cells; behaviours grow over the model across its "
+      "edges.",
       "verdigris"};
   app.set_version_flag("--version", "verdigris " VERDIGRIS_VERSION);
   app.require_subcommand(1);
@@ -25,7 +26,8 @@ int main(int argc, char** argv) {
       "  verdigris info bunny.obj\n"
       "  verdigris voronoi bunny.obj --seeds 64 --cells 1M --out bunny-regions\n"
       "  verdigris run bunny-regions/run.toml --out again\n\n"
-      "Exit status: 0 done, 2 bad input or options, 130 stopped by Ctrl-C with results so far written.");
+      "Exit status: 0 done, 2 bad input or options, 130 stopped by Ctrl-C or SIGTERM with results so far\n"
+      "and a checkpoint for --resume written.");
   app.get_formatter()->column_width(30);
   int status = 0;
   add_info(app);
@@ -39,7 +41,8 @@ int main(int argc, char** argv) {
     // Help and version leave with 0, every misuse with the status of bad input.
     return app.exit(error) == 0 ? 0 : bad_input;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "error: out of memory\n  remedy: use fewer cells (--cells) or a machine with more memory\n");
+    fmt::print(stderr,
+               "error: out of memory\n  remedy: use fewer cells (--cells) or a machine with more memory\n");
     return bad_input;
   } catch (const std::exception& error) {
     fmt::print(stderr, "error: {}\n", error.what());

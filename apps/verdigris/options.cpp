@@ -32,7 +32,8 @@ double parse_count(const std::string& text, const char* option) {
     value *= factor;
   }
   if (!good || !std::isfinite(value) || value < 1.0)
-    throw InputError(option, fmt::format("'{}' is not a count of at least 1", text), "write 250000, 1e6, 64k, 1M or 2.5G");
+    throw InputError(option, fmt::format("'{}' is not a count of at least 1", text),
+                     "write 250000, 1e6, 64k, 1M or 2.5G");
   return value;
 }
 
@@ -48,7 +49,8 @@ void parse_size(const std::string& text, int& width, int& height) {
 }
 
 void add_surface_options(CLI::App& app, Scene& scene, SurfaceOptionTexts& texts) {
-  auto* cells = app.add_option("--cells", texts.cells, "Cells in all, about: 250000, 64k, 1M (default 1M)")->type_name("N");
+  auto* cells = app.add_option("--cells", texts.cells, "Cells in all, about: 250000, 64k, 1M (default 1M)")
+                    ->type_name("N");
   app.add_option("--cell-size", texts.cell_size, "Side of a cell in model units, instead of --cells")
       ->type_name("LENGTH")
       ->excludes(cells);
@@ -63,16 +65,19 @@ void finish_surface_options(Scene& scene, const SurfaceOptionTexts& texts) {
   if (!texts.cell_size.empty()) {
     std::string rest;
     double value = 0.0;
-    if (!leading_number(texts.cell_size, value, rest) || !rest.empty() || !std::isfinite(value) || !(value > 0.0))
-      throw InputError("--cell-size", fmt::format("'{}' is not a positive length", texts.cell_size),
-                       "give a length in model units, or a count with --cells; 'verdigris info' suggests one");
+    if (!leading_number(texts.cell_size, value, rest) || !rest.empty() || !std::isfinite(value) ||
+        !(value > 0.0))
+      throw InputError(
+          "--cell-size", fmt::format("'{}' is not a positive length", texts.cell_size),
+          "give a length in model units, or a count with --cells; 'verdigris info' suggests one");
     scene.cell_size = value;
   }
   if (!texts.links.empty()) scene.links = verdigris::link_kind_named(texts.links);
 }
 
 void add_picture_options(CLI::App& app, Scene& scene, PictureOptionTexts& texts) {
-  app.add_option("--view", scene.picture.view, "front, back, left, right, top, bottom, iso, or a direction x,y,z")
+  app.add_option("--view", scene.picture.view,
+                 "front, back, left, right, top, bottom, iso, or a direction x,y,z")
       ->type_name("VIEW")
       ->capture_default_str();
   app.add_option("--up", scene.picture.up, "Axis of the model that points up: y or z")
@@ -96,6 +101,13 @@ void add_run_options(CLI::App& app, RunOptions& options) {
   app.add_option("--threads", options.threads, "Threads to use (default: all cores); the result is the same")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
+  app.add_option("--checkpoint-every", options.checkpoint_every,
+                 "Write checkpoint.vgc into the directory every so many steps, or every 30s, 5m, 2h; "
+                 "a stopped run always writes one, a complete one removes it")
+      ->type_name("N|TIME");
+  app.add_flag("--resume", options.resume,
+               "Go on from the checkpoint in the directory; all but --steps, --threads and the picture "
+               "must be as it was then");
   app.add_flag("--json", options.json, "Report as one JSON object on standard output");
   app.add_flag("--quiet,-q", options.quiet, "No progress and no report");
 }

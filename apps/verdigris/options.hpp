@@ -10,7 +10,9 @@
 /// How a command talks and how many threads it uses.
 struct RunOptions {
   std::string out = "verdigris-out";
-  int threads = 0;      ///< 0: all cores
+  int threads = 0;               ///< 0: all cores
+  std::string checkpoint_every;  ///< see parse_interval; empty: only when stopped
+  bool resume = false;           ///< go on from the checkpoint in `out`
   bool json = false;
   bool quiet = false;
 };
@@ -21,7 +23,8 @@ double parse_count(const std::string& text, const char* option);
 /// WxH, as in 1280x960. Throws InputError.
 void parse_size(const std::string& text, int& width, int& height);
 
-/// --cells, --cell-size, --links, --mend. The text of --cells goes through parse_count in `finish_surface_options`.
+/// --cells, --cell-size, --links, --mend. The text of --cells goes through parse_count in
+/// `finish_surface_options`.
 struct SurfaceOptionTexts {
   std::string cells, cell_size, links;
 };
@@ -36,7 +39,7 @@ struct PictureOptionTexts {
 void add_picture_options(CLI::App& app, verdigris::Scene& scene, PictureOptionTexts& texts);
 void finish_picture_options(verdigris::Scene& scene, const PictureOptionTexts& texts);
 
-/// --out, --threads, --json, --quiet.
+/// --out, --threads, --checkpoint-every, --resume, --json, --quiet.
 void add_run_options(CLI::App& app, RunOptions& options);
 
 // The commands. Each registers itself and runs from its callback.

@@ -72,9 +72,8 @@ concept SteppedBehaviour = requires(B& b, std::uint64_t step) {
 
 /// Where a stepper takes up a run that another one left, beside the states of the cells.
 struct Restart {
-  std::uint64_t step = 0;  ///< steps made so far
-  std::vector<std::uint32_t>
-      merged;  ///< projected links: slots that took a partner's state in the last of them
+  std::uint64_t step = 0;             ///< steps made so far
+  std::vector<std::uint32_t> merged;  ///< projected links: slots that took a partner's state in the last
 };
 
 /// What one step did.
