@@ -34,17 +34,23 @@ std::vector<Rgba8> scalar_colours(const Surface& surface, const Field<std::int32
 
 }  // namespace
 
-void write_picture(const std::filesystem::path& file, const Surface& surface, const Field<std::int32_t>& values, bool labels,
-                   const PicturePlan& plan) {
-  if (plan.up != "y" && plan.up != "z") throw InputError("up", "'" + plan.up + "' is no up axis", "choose y or z");
+void check_picture(const PicturePlan& plan) {
+  if (plan.up != "y" && plan.up != "z")
+    throw InputError("up", "'" + plan.up + "' is no up axis", "choose y or z");
+  view_direction(plan.view, plan.up == "z" ? UpAxis::z : UpAxis::y);
+}
+
+void write_picture(const std::filesystem::path& file, const Surface& surface,
+                   const Field<std::int32_t>& values, bool labels, const PicturePlan& plan) {
+  check_picture(plan);
   ViewSettings settings;
   settings.up = plan.up == "z" ? UpAxis::z : UpAxis::y;
   settings.width = plan.width;
   settings.height = plan.height;
   const Camera camera = frame_mesh(surface.mesh(), plan.view, settings);
-  const std::vector<Rgba8> colours =
-      labels ? colour_labels(surface, values, label_colours(surface, values), LabelStyle{.outlines = plan.outline})
-             : scalar_colours(surface, values);
+  const std::vector<Rgba8> colours = labels ? colour_labels(surface, values, label_colours(surface, values),
+                                                            LabelStyle{.outlines = plan.outline})
+                                            : scalar_colours(surface, values);
   RenderOptions options;
   options.cache_bytes = 0;  // one picture: no geometry is kept for a next one
   write_png(render(surface, colours, camera, options), file);
@@ -52,7 +58,12 @@ void write_picture(const std::filesystem::path& file, const Surface& surface, co
 
 #else
 
-void write_picture(const std::filesystem::path&, const Surface&, const Field<std::int32_t>&, bool, const PicturePlan&) {
+void write_picture(const std::filesystem::path&, const Surface&, const Field<std::int32_t>&, bool,
+                   const PicturePlan&) {
+  check_picture({});
+}
+
+void check_picture(const PicturePlan&) {
   throw InputError("picture", "this build has no OpenGL", "use --no-picture, or build with VERDIGRIS_GL=ON");
 }
 

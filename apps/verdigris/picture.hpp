@@ -7,6 +7,11 @@
 #include "verdigris/io/scene.hpp"
 #include "verdigris/surface/surface.hpp"
 
-/// Draws labels as regions, any other field by a colour map, and writes a PNG. Throws InputError where there is no OpenGL.
+/// Draws labels as regions, any other field by a colour map, and writes a PNG. Throws InputError where there
+/// is no OpenGL.
 void write_picture(const std::filesystem::path& file, const verdigris::Surface& surface,
-                   const verdigris::Field<std::int32_t>& values, bool labels, const verdigris::PicturePlan& plan);
+                   const verdigris::Field<std::int32_t>& values, bool labels,
+                   const verdigris::PicturePlan& plan);
+
+/// Throws InputError when write_picture could not draw `plan`: known before a long run rather than after.
+void check_picture(const verdigris::PicturePlan& plan);
