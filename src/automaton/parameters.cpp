@@ -10,7 +10,9 @@
 namespace verdigris {
 
 void check_parameters(std::string_view behaviour, const std::vector<ParameterInfo>& known, const ParameterValues& values) {
-  for (const auto& [name, value] : values) {
+  for (const auto& given : values) {
+    const std::string& name = given.first;
+    const double value = given.second;
     const auto info = std::find_if(known.begin(), known.end(), [&](const ParameterInfo& p) { return p.name == name; });
     const std::string where = fmt::format("{}.{}", behaviour, name);
     if (info == known.end()) {

@@ -14,6 +14,8 @@
 #if defined(__AVX512F__) || defined(__BMI2__)
 #include <immintrin.h>
 #endif
+// Vectors wider than the machine's are passed between functions of this file only: no ABI is at stake.
+#pragma GCC diagnostic ignored "-Wpsabi"
 #ifdef __AVX512F__
 // g++ 12 warns of its own header (GCC bug 105593).
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"

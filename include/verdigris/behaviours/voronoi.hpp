@@ -84,9 +84,9 @@ struct VoronoiRule {
     const Word least = std::min(std::min(left, right), std::min(below, above));
     if (spreads(least)) {
       const Word label = least & label_mask();
-      const auto other = [&](Word w) { return spreads(w) & ((w & label_mask()) != label); };
-      // Nearly always all filled sides are of one label.
-      if (speed.empty() && !(other(left) | other(right) | other(below) | other(above))) return now | label;
+      // Whole numbers, not conditions: one branch for all four sides, and nearly always all filled ones are of one label.
+      const auto other = [&](Word w) { return unsigned{spreads(w)} & unsigned{(w & label_mask()) != label}; };
+      if (speed.empty() && (other(left) | other(right) | other(below) | other(above)) == 0) return now | label;
       const Word winner = choose({left, right, below, above}, random);
       if (winner != empty) return now | winner;
     }
