@@ -31,7 +31,7 @@ HalfEdges half_edges(const Mesh& mesh) {
   return edges;
 }
 
-/// Connected groups of triangles, over the edges `joins(from, to)` admits, as the number of them.
+/// Disjoint sets that can only grow together.
 class Groups {
  public:
   explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
@@ -143,15 +143,11 @@ Shape inspect(const Mesh& mesh) {
       static_cast<long>(mesh.positions.size() + mesh.triangles.size()) - static_cast<long>(edge_count);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto &a = mesh.corner(t, 0), &b = mesh.corner(t, 1), &c = mesh.corner(t, 2);
+    shape.area += glm::length(glm::cross(b - a, c - a)) / 2;
     shape.volume += glm::dot(a, glm::cross(b, c)) / 6;
     shape.least_angle = std::min(shape.least_angle, least_angle(mesh, t));
   }
   if (!(shape.least_angle > 0.01)) throw std::runtime_error("a triangle without area");
-  shape.area = 0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const glm::dvec3 u = mesh.corner(t, 1) - mesh.corner(t, 0), v = mesh.corner(t, 2) - mesh.corner(t, 0);
-    shape.area += glm::length(glm::cross(u, v)) / 2;
-  }
   return shape;
 }
 

@@ -30,9 +30,8 @@ Ring add_ring(Mesh& mesh, double radius, double y, std::vector<double> angles);
 /// Appends a single vertex on the axis.
 Ring add_pole(Mesh& mesh, double y);
 
-/// Joins two rings that follow each other along the profile. The outside is on the right of the way from
-/// `from` to `to` when the axis is on the left: up the outer wall, down the inner one. With `opening`, leaves
-/// out the two columns beside angle 0.
+/// Joins two rings that follow each other along the profile: up the outer wall, down the inner one, so that
+/// the triangles face away from the solid. With `opening`, leaves out the two columns beside angle 0.
 void stitch(Mesh& mesh, const Ring& from, const Ring& to, bool opening = false);
 
 }  // namespace verdigris::meshes
