@@ -36,16 +36,20 @@ class CheckpointWriter {
   bool write_now(const verdigris::AnySimulation& simulation);
   /// Removes the checkpoint of a run that is complete.
   void remove();
+  /// How long the run has stood still for checkpoints, seconds.
+  double seconds() const { return seconds_; }
 
  private:
   using Clock = std::chrono::steady_clock;
   void begin_writing(const verdigris::AnySimulation& simulation);
   bool finish_writing();
+  bool due(std::uint64_t steps) const;
 
   std::filesystem::path file_;
   CheckpointInterval every_;
   verdigris::RunIdentity identity_;
   Clock::time_point last_;
+  double seconds_ = 0.0;
   std::future<void> writing_;
 };
 

@@ -222,6 +222,7 @@ int run_job(Scene scene, const RunOptions& options) {
     resumable = checkpoints.write_now(*simulation);  // first: a second Ctrl-C ends the program at once
   }
   lap("grow");
+  seconds["checkpoints"] = checkpoints.seconds();  // part of "grow"
 
   progress.stage("writing cells");
   std::vector<Field<std::int32_t>> fields;
