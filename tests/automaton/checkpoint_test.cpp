@@ -210,7 +210,7 @@ TEST(Checkpoint, AnyBehaviourOfTheCatalogueGoesOn) {
         SimulationSetup setup{s, 4, {}, {}};
         if (entry.needs_seeds) setup.seeds = random_seeds(s, 7, 1);
         expect_restarts(
-            s, [&] { return entry.create(setup, {}); }, 60);
+            s, [&] { return entry.create(setup, {}); }, 24);
       }
 }
 
