@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "progress.hpp"
 #include "verdigris/io/checkpoint_file.hpp"
 #include "verdigris/mesh/error.hpp"
 
@@ -63,7 +64,7 @@ bool CheckpointWriter::write_now(const AnySimulation& simulation) {
   try {
     begin_writing(simulation);
   } catch (const InputError& error) {
-    fmt::print(stderr, "warning: no checkpoint was written: {}\n", error.what());
+    say("warning: no checkpoint was written: {}\n", error.what());
     return false;
   }
   return finish_writing();
@@ -89,7 +90,7 @@ bool CheckpointWriter::finish_writing() {
     writing_.get();
     return true;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "warning: a checkpoint could not be written, the run goes on: {}\n", error.what());
+    say("warning: a checkpoint could not be written, the run goes on: {}\n", error.what());
     return false;
   }
 }

@@ -59,9 +59,6 @@ Findings look(Options& options) {
   return f;
 }
 
-// Voronoi growth keeps one 32-bit word and a mark for each slot.
-double growth_bytes(const SurfaceEstimate& estimate) { return estimate.bytes + 4.125 * estimate.slots; }
-
 void print_json(const Options& options, const Findings& f) {
   const MeshReport& m = f.mesh;
   const auto point = [](const glm::dvec3& p) { return nlohmann::ordered_json::array({p.x, p.y, p.z}); };
@@ -81,12 +78,12 @@ void print_json(const Options& options, const Findings& f) {
       {"suggested", {{"cells", f.suggested_cells}, {"cell_size", f.suggested_size}}},
       {"cell_size", f.cell_size}, {"cells", f.estimate.cells}, {"cells_per_triangle", f.estimate.cells / static_cast<double>(m.triangles)},
       {"triangles_narrower_than_a_cell", f.narrow}, {"surface_bytes", f.estimate.bytes},
-      {"voronoi_bytes", growth_bytes(f.estimate)}};
+      {"voronoi_bytes", f.estimate.run_bytes}};
   if (f.mend)
     report["mended"] = {{"duplicates_removed", f.mended.duplicates_removed},
                         {"triangles_flipped", f.mended.triangles_flipped},
                         {"unorientable_components", f.mended.unorientable_components}};
-  fmt::print("{}\n", report.dump(2));
+  fmt::print("{}\n", report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
 std::string memory(double bytes) {
@@ -124,7 +121,7 @@ void print_text(const Options& options, const Findings& f) {
   count("non-manifold edges", m.non_manifold_edges, "cut: growth does not cross them");
   count("non-manifold vertices", m.non_manifold_vertices, "growth does not pass between their fans");
   count("inconsistent edges", m.inconsistent_edges, f.mend ? "cut: cannot be oriented" : "cut; --mend orients what can be");
-  count("degenerate triangles", m.degenerate_triangles, "no area, no cells; growth passes through");
+  count("degenerate triangles", m.degenerate_triangles, "no area, no cells; growth passes through unless links are projected");
   count("duplicate triangles", m.duplicate_triangles, "--mend removes them");
   count("unused vertices", m.unused_vertices, "");
   line("non-finite coordinates", "0");
@@ -132,13 +129,16 @@ void print_text(const Options& options, const Findings& f) {
   line("suggested", fmt::format("--cells {:.0f}   (cell size {:.4g})", f.suggested_cells, f.suggested_size));
   line("at cell size", fmt::format("{:.4g}: {:.0f} cells, {:.1f} a triangle", f.cell_size, f.estimate.cells,
                                    f.estimate.cells / static_cast<double>(m.triangles)));
+  if (f.estimate.cells < 8.0 * static_cast<double>(m.triangles))
+    line("", fmt::format("few cells a triangle: their number and areas will be off; 14 or more are safe (--cells {:.0f})",
+                         14.0 * static_cast<double>(m.triangles)));
   line("narrower than a cell", fmt::format("{} triangles ({:.1f} %)", f.narrow,
                                            100.0 * static_cast<double>(f.narrow) / static_cast<double>(m.triangles)));
   if (f.narrow > 0 && m.smallest_height > 0.0)
     line("", fmt::format("cells below {:.3g} resolve all; with --links projected growth leaps across narrow triangles",
                          m.smallest_height));
   line("memory", fmt::format("{} for the surface, {} with Voronoi growth", memory(f.estimate.bytes),
-                             memory(growth_bytes(f.estimate))));
+                             memory(f.estimate.run_bytes)));
 }
 
 }  // namespace

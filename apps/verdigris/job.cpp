@@ -34,6 +34,33 @@ double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
+// Scenes are TOML, and TOML is UTF-8: a run with another name could not be repeated.
+void check_utf8(const std::filesystem::path& path) {
+  try {
+    static_cast<void>(nlohmann::json(path.string()).dump());
+  } catch (const nlohmann::json::type_error&) {
+    throw InputError("file name", "it is not UTF-8, and run.toml could not hold it", "rename the file");
+  }
+}
+
+// Makes the directory for the results; takes it away again when nothing came to be in it.
+class NewDirectory {
+ public:
+  explicit NewDirectory(std::filesystem::path path) : path_(std::move(path)), made_(!std::filesystem::exists(path_)) {
+    make_directory(path_);
+  }
+  NewDirectory(const NewDirectory&) = delete;
+  NewDirectory& operator=(const NewDirectory&) = delete;
+  ~NewDirectory() {
+    std::error_code not_empty;
+    if (made_) std::filesystem::remove(path_, not_empty);
+  }
+
+ private:
+  std::filesystem::path path_;
+  bool made_;
+};
+
 struct LoadedMesh {
   Mesh mesh;
   ReadReport read;
@@ -102,11 +129,11 @@ PlacedSeeds place_seeds(const Surface& surface, const Scene& scene, std::size_t 
 Field<std::uint8_t> make_barrier(const Surface& surface, const Scene& scene, const ReadReport& read) {
   if (scene.barrier.mask.empty()) return {};
   const Field<float> mask = file_values(surface, read_numbers(scene.barrier.mask), read.file_vertices,
-                                        read.file_faces, scene.barrier.mask.string());
+                                        read.file_faces, scene.barrier.mask_on, scene.barrier.mask.string());
   Field<std::uint8_t> barrier(mask.size(), 0);
   for (const Row& row : surface.rows())
     for (std::uint32_t slot = row.run_begin; slot < row.run_end; ++slot)
-      barrier[slot] = static_cast<double>(mask[slot]) >= scene.barrier.threshold;
+      barrier[slot] = mask[slot] >= static_cast<float>(scene.barrier.threshold);
   return barrier;
 }
 
@@ -119,15 +146,29 @@ bool grow(AnySimulation& simulation, const Scene& scene, std::uint64_t cells, Pr
     return simulation.finished() || (scene.steps != 0 && simulation.steps() >= scene.steps);
   };
   while (!ended()) {
-    if (interrupted()) return false;
     changed += simulation.step().changed;
     if (!ended()) checkpoints.after_step(simulation);
     const double share = scene.steps != 0
                              ? static_cast<double>(simulation.steps()) / static_cast<double>(scene.steps)
                              : static_cast<double>(changed) / static_cast<double>(cells);
     progress.update(std::min(share, 1.0), fmt::format("step {}", simulation.steps()));
+    // After a step, not before: the scene that repeats the run has to name one.
+    if (interrupted() && !ended()) return false;
   }
   return true;
+}
+
+// Regions that end at a barrier touch all the same: for the picture no edge bars the view to the other side.
+void draw(const std::filesystem::path& file, const Surface& surface, const Field<std::int32_t>& values, bool labels,
+          const Scene& scene) {
+  if (scene.barrier.angle >= 180.0 || scene.links == LinkKind::projected)
+    return write_picture(file, surface, values, labels, scene.picture);
+  const Surface open = make_surface(surface.mesh(), {scene.cell_size, scene.links});
+  Field<std::int32_t> seen = values;
+  open.links().for_each([&](std::uint32_t source, auto ghosts) {
+    for (const std::uint32_t ghost : ghosts) seen[ghost] = values[source];
+  });
+  write_picture(file, open, seen, labels, scene.picture);
 }
 
 double peak_memory_bytes() {
@@ -157,13 +198,15 @@ int run_job(Scene scene, const RunOptions& options) {
   const BehaviourEntry& behaviour = catalogue.find(scene.behaviour);
   check_parameters(behaviour.name, behaviour.parameters, scene.parameters);
   if (scene.picture.draw) check_picture(scene.picture);
+  check_utf8(scene.mesh);
+  check_utf8(scene.barrier.mask);
   const std::filesystem::path out = options.out, checkpoint_file = out / "checkpoint.vgc";
   const CheckpointInterval interval = parse_interval(options.checkpoint_every);
   std::optional<Checkpoint> checkpoint;
   if (options.resume) checkpoint = checkpoint_to_resume(checkpoint_file, scene.steps);
-  make_directory(out);
+  const NewDirectory place(out);
   if (!options.resume && !options.quiet && std::filesystem::exists(checkpoint_file))
-    fmt::print(stderr,
+    say(
                "note: {} of an unfinished run is there; --resume would go on from it, this run replaces it\n",
                checkpoint_file.string());
   for (const char* name :
@@ -190,9 +233,17 @@ int run_job(Scene scene, const RunOptions& options) {
   if (surface.owned_count() == 0)
     throw InputError(
         scene.mesh.string(),
-        fmt::format("cells of {:g} are larger than every triangle: no cell has its centre in one",
+        fmt::format("cells of {:g} are too large for its triangles: none has the centre of a cell in it",
                     scene.cell_size),
         "use smaller cells (--cell-size), or more of them (--cells)");
+  const double coverage = static_cast<double>(surface.owned_count()) * scene.cell_size * scene.cell_size /
+                          mesh_area(surface.mesh());
+  if (std::abs(coverage - 1.0) > 0.02 && !options.quiet)
+    say(
+               "warning: the cells cover {:.1f} % of the area: with {:.1f} cells a triangle their number is off, and areas "
+               "with it; use smaller cells (--cells {:.0f})\n",
+               100.0 * coverage, static_cast<double>(surface.owned_count()) / static_cast<double>(surface.patch_count()),
+               std::max(2.0 * static_cast<double>(surface.owned_count()), 14.0 * static_cast<double>(surface.patch_count())));
   lap("build");
 
   Field<std::uint8_t> barrier = make_barrier(surface, scene, loaded.read);
@@ -212,13 +263,13 @@ int run_job(Scene scene, const RunOptions& options) {
   }
   const std::uint64_t first_step = simulation->steps();
   if (options.resume && !options.quiet && !options.json)
-    fmt::print(stderr, "resuming at step {}\n", first_step);
+    say( "resuming at step {}\n", first_step);
   lap("start");
   CheckpointWriter checkpoints(checkpoint_file, interval, identity);
   const bool complete = grow(*simulation, scene, surface.owned_count(), progress, checkpoints);
   bool resumable = false;
   if (!complete) {
-    scene.steps = std::max<std::uint64_t>(simulation->steps(), 1);
+    scene.steps = simulation->steps();
     resumable = checkpoints.write_now(*simulation);  // first: a second Ctrl-C ends the program at once
   }
   lap("grow");
@@ -253,8 +304,12 @@ int run_job(Scene scene, const RunOptions& options) {
 
   if (scene.picture.draw) {
     progress.stage("drawing");
-    write_picture(out / "picture.png", surface, fields[0], behaviour.name == "voronoi", scene.picture);
+    draw(out / "picture.png", surface, fields[0], behaviour.name == "voronoi", scene);
     files.push_back("picture.png");
+  } else {
+    // One of an earlier run would not show these cells.
+    std::error_code ignored;
+    std::filesystem::remove(out / "picture.png", ignored);
   }
   lap("picture");
   progress.finish();
@@ -266,10 +321,10 @@ int run_job(Scene scene, const RunOptions& options) {
   const double cells = static_cast<double>(surface.owned_count());
   if (placed.farthest >
       0.01 * glm::length(mesh_bounds(surface.mesh()).upper - mesh_bounds(surface.mesh()).lower))
-    fmt::print(stderr, "warning: a seed point lies {:.4g} model units from the surface; it was moved there\n",
+    say( "warning: a seed point lies {:.4g} model units from the surface; it was moved there\n",
                placed.farthest);
   if (!complete)
-    fmt::print(stderr, "stopped after step {}; the results so far are written{}\n", simulation->steps(),
+    say( "stopped after step {}; the results so far are written{}\n", simulation->steps(),
                resumable ? "; the same command with --resume goes on from there" : "");
   if (options.json) {
     nlohmann::ordered_json report{
@@ -281,6 +336,7 @@ int run_job(Scene scene, const RunOptions& options) {
         {"triangles", surface.patch_count()},
         {"cells", surface.owned_count()},
         {"cell_size", surface.cell_size()},
+        {"coverage", coverage},
         {"links", name_of(scene.links)},
         {"ghosts", surface.ghost_count()},
         {"ghosts_at_boundaries", surface.open_ghost_count()},
@@ -300,7 +356,7 @@ int run_job(Scene scene, const RunOptions& options) {
       report["mended"] = {{"duplicates_removed", loaded.mended.duplicates_removed},
                           {"triangles_flipped", loaded.mended.triangles_flipped},
                           {"unorientable_components", loaded.mended.unorientable_components}};
-    fmt::print("{}\n", report.dump(2));
+    fmt::print("{}\n", report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   } else if (!options.quiet) {
     fmt::print("{}: {} triangles, {} cells of {:.4g}\n", scene.mesh.filename().string(),
                surface.patch_count(), surface.owned_count(), surface.cell_size());

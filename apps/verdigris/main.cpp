@@ -8,6 +8,7 @@
 #include <new>
 
 #include "options.hpp"
+#include "progress.hpp"
 
 namespace {
 constexpr int bad_input = 2;
@@ -29,6 +30,12 @@ int main(int argc, char** argv) {
       "Exit status: 0 done, 2 bad input or options, 130 stopped by Ctrl-C or SIGTERM with results so far\n"
       "and a checkpoint for --resume written.");
   app.get_formatter()->column_width(30);
+  // Misuse is said as all bad input is; the help of the command that was meant is the remedy.
+  app.failure_message([](const CLI::App* root, const CLI::Error& error) {
+    const auto commands = root->get_subcommands();
+    return fmt::format("error: {}\n  remedy: see verdigris {}--help\n", error.what(),
+                       commands.empty() ? "" : commands.front()->get_name() + " ");
+  });
   int status = 0;
   add_info(app);
   add_voronoi(app, status);
@@ -36,16 +43,30 @@ int main(int argc, char** argv) {
   add_list(app);
 
   try {
+    for (int k = 1; k < argc; ++k)
+      if (argv[k][0] == '\0') {
+        say("error: argument {} is empty\n  remedy: give the option a value, or leave it out\n", k);
+        return bad_input;
+      }
+    const auto is_first = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
+    if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(is_first).empty()) {
+      say("error: there is no command '{}'\n  remedy: choose info, voronoi, run or list\n", argv[1]);
+      return bad_input;
+    }
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     // Help and version leave with 0, every misuse with the status of bad input.
     return app.exit(error) == 0 ? 0 : bad_input;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr,
+    say(
                "error: out of memory\n  remedy: use fewer cells (--cells) or a machine with more memory\n");
     return bad_input;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
+    say( "error: {}\n", error.what());
+    return bad_input;
+  }
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    say("error: standard output: could not be written\n  remedy: see where it is directed to\n");
     return bad_input;
   }
   return status;

@@ -41,11 +41,11 @@ void parse_size(const std::string& text, int& width, int& height) {
   const auto x = text.find('x');
   const auto whole = [&](std::size_t from, std::size_t to, int& value) {
     const auto [end, error] = std::from_chars(text.data() + from, text.data() + to, value);
-    return error == std::errc() && end == text.data() + to && value >= 1 && value <= 16384;
+    return error == std::errc() && end == text.data() + to && value >= 1 && value <= 8192;
   };
   if (x == std::string::npos || !whole(0, x, width) || !whole(x + 1, text.size(), height))
     throw InputError("--size", fmt::format("'{}' is no picture size", text),
-                     "write WIDTHxHEIGHT in pixels, up to 16384, as in 1280x960");
+                     "write WIDTHxHEIGHT in pixels, up to 8192, as in 1280x960");
 }
 
 void add_surface_options(CLI::App& app, Scene& scene, SurfaceOptionTexts& texts) {

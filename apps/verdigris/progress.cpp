@@ -30,13 +30,13 @@ void Progress::update(double share, const std::string& note) {
   // The estimate settles after a second; before that it would only jump.
   if (share > 0.001 && elapsed > 1.0) line += fmt::format("  {:.0f} s left", elapsed * (1.0 - share) / share);
   if (!note.empty()) line += "  " + note;
-  fmt::print(stderr, "\r\033[K{}", line);
+  say("\r\033[K{}", line);
   std::fflush(stderr);
 }
 
 void Progress::finish() {
   if (!open_) return;
-  fmt::print(stderr, "\r\033[K");
+  say("\r\033[K");
   std::fflush(stderr);
   open_ = false;
 }

@@ -1,8 +1,12 @@
 #pragma once
 // What a person at a terminal sees of long work, and how they stop it.
 
+#include <fmt/format.h>
+
 #include <chrono>
+#include <cstdio>
 #include <string>
+#include <utility>
 
 /// Progress of one stage on standard error, rewritten in place; silent when that is no terminal.
 class Progress {
@@ -25,6 +29,12 @@ class Progress {
   std::string name_;
   Clock::time_point begun_, printed_;
 };
+
+/// Writes to standard error, and goes on where that cannot be done: a closed terminal must not end a run.
+template <typename... Args>
+void say(fmt::format_string<Args...> text, Args&&... args) {
+  std::fputs(fmt::format(text, std::forward<Args>(args)...).c_str(), stderr);
+}
 
 /// From now on Ctrl-C and SIGTERM only ask to stop; the second one ends the program at once.
 void watch_for_interrupt();

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -83,6 +84,10 @@ void add_voronoi(CLI::App& app, int& status) {
                    "File of numbers, one a vertex or a face of the model, that bars growth")
       ->type_name("FILE");
   command
+      ->add_option("--barrier-mask-on", scene.barrier.mask_on,
+                   "What the mask has a number for: vertices or faces (default: told by how many there are)")
+      ->type_name("WHAT");
+  command
       ->add_option("--barrier-threshold", scene.barrier.threshold,
                    "Cells whose mask is at least this are barred")
       ->type_name("X")
@@ -106,6 +111,10 @@ void add_voronoi(CLI::App& app, int& status) {
     for (const ParameterInfo& p : describe_parameters<VoronoiParameters>())
       plan.parameters.emplace_back(
           p.name, command->count("--" + p.name) > 0 ? options->parameters[p.name] : p.default_value);
+    for (const double value : {plan.barrier.angle, plan.barrier.threshold})
+      if (!std::isfinite(value))
+        throw InputError("--barrier-angle, --barrier-threshold", fmt::format("{} is not a number", value), "give a number");
+    check_mask_on(plan.barrier.mask_on, "--barrier-mask-on");
     finish_surface_options(plan, options->surface);
     finish_picture_options(plan, options->picture);
     finish_seeds(*options);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 
 #include "verdigris/mesh/error.hpp"
@@ -18,11 +19,14 @@ void check_seeds(const SimulationSetup& setup) {
   if (setup.seeds.empty()) throw InputError("seeds", "there are none", "give at least one seed");
   if (setup.seeds.size() > 0x7FFFFFFFu) throw InputError("seeds", "more than 2^31 - 1", "give fewer seeds");
   std::unordered_map<std::uint32_t, std::size_t> at;
+  double fastest = setup.seeds.front().weight, slowest = fastest;
   for (std::size_t k = 0; k < setup.seeds.size(); ++k) {
     const Seed& seed = setup.seeds[k];
-    if (!(seed.weight > 0.0) || !std::isfinite(seed.weight))
+    if (!(seed.weight >= std::numeric_limits<double>::min()) || !std::isfinite(seed.weight))
       throw InputError("seeds", fmt::format("seed {} has weight {}", k, seed.weight),
                        "give weights greater than 0");
+    fastest = std::max(fastest, seed.weight);
+    slowest = std::min(slowest, seed.weight);
     const auto [there, fresh] = at.emplace(seed.slot, k);
     if (!fresh)
       throw InputError("seeds", fmt::format("seeds {} and {} lie in one cell", there->second, k),
@@ -30,6 +34,10 @@ void check_seeds(const SimulationSetup& setup) {
     if (!setup.barrier.empty() && setup.barrier[seed.slot] != 0)
       throw InputError("seeds", fmt::format("seed {} lies on a barrier", k), "move the seed, or the barrier");
   }
+  // The slowest label moves once in fastest / slowest steps: beyond this never, in double precision.
+  if (slowest < 1e-12 * fastest)
+    throw InputError("seeds", fmt::format("weights from {:g} to {:g}", slowest, fastest),
+                     "keep weights within a factor of 1e12; runs take that many steps");
 }
 
 }  // namespace
@@ -100,6 +108,9 @@ void VoronoiGrowth::widen() {
 }
 
 StepReport VoronoiGrowth::step() {
+  if (steps() >= 0x7FFFFFFEu)
+    throw InputError("steps", "more than 2^31: arrival steps are 32-bit numbers",
+                     "use --steps, or weights nearer to each other");
   if (auto* narrow = std::get_if<Narrow>(&stepper_)) {
     if (narrow->steps() < narrow->behaviour().last_step()) return narrow->step();
     widen();
@@ -215,23 +226,30 @@ std::vector<Seed> random_seeds(const Surface& surface, std::size_t count, std::u
         static_cast<std::size_t>(std::upper_bound(before.begin(), before.end(), cell) - before.begin() - 1);
     const auto slot = static_cast<std::uint32_t>(surface.owned(static_cast<std::uint32_t>(row)).begin +
                                                  (cell - before[row]));
-    if (taken[slot] || (!barrier.empty() && barrier[slot] != 0)) return false;
+    if (taken[slot] || (!barrier.empty() && barrier[slot] != 0)) return;
     taken[slot] = true;
     seeds.push_back({slot, 1.0});
-    return true;
   };
   std::uint64_t draw = 0;
-  while (seeds.size() < count) {
+  const auto next_below = [&](std::uint64_t limit) {
     const auto word = CellRandom(seed, draw >> 32, static_cast<std::uint32_t>(draw)).words(placing);
     ++draw;
-    // A 64-bit fraction of `cells`, which is below 2^32.
-    const std::uint64_t cell = (word[0] * cells + (word[1] * cells >> 32)) >> 32;
-    // Nearly full: the last free cells would be drawn too rarely, so go on from the drawn one to the next
-    // free.
-    if (!take(cell) && seeds.size() * 2 > free)
-      for (std::uint64_t step = 1; step < cells && !take((cell + step) % cells); ++step) {
-      }
+    // A 64-bit fraction of `limit`, which is below 2^32.
+    return (word[0] * limit + (word[1] * limit >> 32)) >> 32;
+  };
+  if (count > free / 2) {
+    // Nearly every cell: draw from a list of those that are left.
+    std::vector<std::uint32_t> left;
+    for (std::uint32_t row = 0; row < surface.rows().size(); ++row)
+      for (std::uint32_t slot = surface.owned(row).begin; slot < surface.owned(row).end; ++slot)
+        if (barrier.empty() || barrier[slot] == 0) left.push_back(slot);
+    for (std::size_t k = 0; k < count; ++k) {
+      std::swap(left[k], left[k + next_below(left.size() - k)]);
+      seeds.push_back({left[k], 1.0});
+    }
+    return seeds;
   }
+  while (seeds.size() < count) take(next_below(cells));
   return seeds;
 }
 

@@ -49,9 +49,12 @@ Field<float> spread_triangle_values(const Surface& surface, std::span<const doub
 }
 
 Field<float> file_values(const Surface& surface, std::span<const double> values, std::size_t file_vertices,
-                         std::size_t file_faces, const std::string& where) {
+                         std::size_t file_faces, const std::string& on, const std::string& where) {
   const Mesh& mesh = surface.mesh();
-  if (values.size() == file_vertices) {
+  if (on.empty() && file_vertices == file_faces && values.size() == file_faces)
+    throw InputError(where, "the model has as many vertices as faces: the values may be on either",
+                     "say --barrier-mask-on vertices or faces (barrier.mask_on in a scene)");
+  if (values.size() == file_vertices && on != "faces") {
     // Vertices that were welded into one: the greatest counts, a barrier drawn on one side of a seam holds.
     std::vector<double> on_vertex(mesh.positions.size(), -1e300);
     for (std::size_t k = 0; k < values.size(); ++k) {
@@ -60,7 +63,7 @@ Field<float> file_values(const Surface& surface, std::span<const double> values,
     }
     return interpolate_vertex_values(surface, on_vertex);
   }
-  if (values.size() == file_faces) {
+  if (values.size() == file_faces && on != "vertices") {
     std::vector<double> on_triangle(mesh.triangles.size());
     for (std::size_t t = 0; t < on_triangle.size(); ++t)
       on_triangle[t] = values[mesh.face_of_triangle.empty() ? t : mesh.face_of_triangle[t]];

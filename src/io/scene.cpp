@@ -19,6 +19,11 @@ LinkKind link_kind_named(const std::string& name) {
   throw InputError("links", fmt::format("there is no kind '{}'", name), "choose unfolded or projected");
 }
 
+void check_mask_on(const std::string& name, const std::string& where) {
+  if (!name.empty() && name != "vertices" && name != "faces")
+    throw InputError(where, fmt::format("a mask cannot be on '{}'", name), "choose vertices or faces");
+}
+
 const char* name_of(LinkKind kind) { return kind == LinkKind::unfolded ? "unfolded" : "projected"; }
 
 namespace {
@@ -174,6 +179,8 @@ Scene read_scene(const std::filesystem::path& file) {
     surface.fail(surface.raw(), "both cells and cell_size are given", "keep one of them");
   std::string links = name_of(scene.links);
   surface.text("links", links);
+  if (links != "unfolded" && links != "projected")
+    surface.fail(*surface.find("links"), fmt::format("surface.links is '{}'", links), "choose unfolded or projected");
   scene.links = link_kind_named(links);
 
   const Table behaviour(file, root, "behaviour");
@@ -186,11 +193,13 @@ Scene read_scene(const std::filesystem::path& file) {
   read_seeds(Table(file, root, "seeds"), base, scene.seeds);
 
   const Table barrier(file, root, "barrier");
-  barrier.only({"angle", "mask", "threshold"});
+  barrier.only({"angle", "mask", "mask_on", "threshold"});
   barrier.number("angle", scene.barrier.angle, 0.0, 181.0);
   std::string mask;
   barrier.text("mask", mask);
   if (!mask.empty()) scene.barrier.mask = base / mask;
+  barrier.text("mask_on", scene.barrier.mask_on);
+  check_mask_on(scene.barrier.mask_on, file.string());
   barrier.number("threshold", scene.barrier.threshold, -most, most);
 
   const Table run(file, root, "run");
@@ -203,8 +212,8 @@ Scene read_scene(const std::filesystem::path& file) {
   picture.flag("draw", scene.picture.draw);
   picture.text("view", scene.picture.view);
   picture.text("up", scene.picture.up);
-  picture.whole("width", scene.picture.width, 1, 16384);
-  picture.whole("height", scene.picture.height, 1, 16384);
+  picture.whole("width", scene.picture.width, 1, 8192);
+  picture.whole("height", scene.picture.height, 1, 8192);
   picture.flag("outline", scene.picture.outline);
   return scene;
 }
@@ -222,7 +231,7 @@ std::string quoted(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') out += '\\';
-    if (static_cast<unsigned char>(c) < 0x20)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
       out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
     else
       out += c;
@@ -231,10 +240,13 @@ std::string quoted(const std::string& text) {
 }
 
 std::string path_from(const std::filesystem::path& file, const std::filesystem::path& target) {
-  std::error_code error;
-  const auto base = std::filesystem::absolute(file).parent_path();
-  const auto relative = std::filesystem::proximate(std::filesystem::absolute(target), base, error);
-  return quoted((error ? std::filesystem::absolute(target) : relative).generic_string());
+  // Only folders are resolved: a model's own name may be a link, and its extension is needed.
+  const auto folder_of = [](const std::filesystem::path& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path).parent_path());
+  };
+  const auto there = folder_of(target) / target.filename();
+  const auto relative = there.lexically_relative(folder_of(file));
+  return quoted((relative.empty() ? there : relative).generic_string());
 }
 
 }  // namespace
@@ -270,7 +282,8 @@ void write_scene(const std::filesystem::path& file, const Scene& scene) {
   }
   text += fmt::format("\n[barrier]\nangle = {}\n", exact(scene.barrier.angle));
   if (!scene.barrier.mask.empty())
-    text += fmt::format("mask = {}\nthreshold = {}\n", path_from(file, scene.barrier.mask), exact(scene.barrier.threshold));
+    text += fmt::format("mask = {}\nmask_on = {}\nthreshold = {}\n", path_from(file, scene.barrier.mask),
+                        quoted(scene.barrier.mask_on), exact(scene.barrier.threshold));
   text += fmt::format("\n[run]\nseed = {}\nsteps = {}\n", scene.seed, scene.steps);
   const PicturePlan& picture = scene.picture;
   text += fmt::format("\n[picture]\ndraw = {}\nview = {}\nup = {}\nwidth = {}\nheight = {}\noutline = {}\n", picture.draw,

@@ -96,8 +96,8 @@ Camera frame_mesh(const Mesh& mesh, glm::dvec3 direction, const ViewSettings& se
   camera.width = settings.width;
   camera.height = settings.height;
   const double half_angle = settings.field_of_view * std::numbers::pi / 360.0;
-  const double shorter = std::min(settings.width, settings.height);
-  camera.tangent = std::tan(half_angle) * settings.height / shorter;
+  const double longer = std::max(settings.width, settings.height);
+  camera.tangent = std::tan(half_angle) * settings.height / longer;
   const double inner = 1.0 - 2.0 * std::clamp(settings.margin, 0.0, 0.45);
   const double ty = camera.tangent * inner, tx = ty * settings.width / settings.height;
 
@@ -121,8 +121,25 @@ Camera frame_mesh(const Mesh& mesh, glm::dvec3 direction, const ViewSettings& se
   const double size = std::max(glm::distance(bounds.lower, bounds.upper), 1e-30);
   const double distance =
       std::max({(right + left) / (2.0 * tx), (top + bottom) / (2.0 * ty), front + 0.05 * size});
-  camera.eye =
-      c + 0.5 * (right - left) * camera.right() + 0.5 * (top - bottom) * camera.up() + distance * backward;
+  // Along the axis that has room to spare near parts take more of it than far ones: the margins on both sides of the
+  // picture are made equal by bisection, between the limits at which either is used up.
+  const auto centred = [&](glm::dvec3 axis, double most, double least, double tangent) {
+    double low_offset = most - distance * tangent, high_offset = distance * tangent - least;
+    for (int step = 0; step < 24; ++step) {
+      const double offset = 0.5 * (low_offset + high_offset);
+      double above = low, below = low;
+      for (const glm::dvec3& position : mesh.positions) {
+        const glm::dvec3 p = position - c;
+        const double x = glm::dot(p, axis) - offset, depth = distance - glm::dot(p, backward);
+        above = std::max(above, x / depth);
+        below = std::max(below, -x / depth);
+      }
+      (above > below ? low_offset : high_offset) = offset;
+    }
+    return 0.5 * (low_offset + high_offset);
+  };
+  camera.eye = c + centred(camera.right(), right, left, tx) * camera.right() +
+               centred(camera.up(), top, bottom, ty) * camera.up() + distance * backward;
   camera.near = std::max((distance - front) * 0.98, 1e-4 * size);
   camera.far = (distance + back) * 1.01;
   return camera;

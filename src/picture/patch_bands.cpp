@@ -1,7 +1,7 @@
 // Every band is a quadrilateral with two parallel sides (a triangle at C), cut by walking along both of them
 // from left to right, always over the shorter of the two possible diagonals. A triangle then has two corners
-// on one side and one on the other, so none can be flat. Contour points on the oblique ends turn the first or
-// last triangle into a fan.
+// on one side and one on the other, so none can be flat. Contour points on the oblique ends belong to the upper
+// side: each is joined to a centre below it, however far the end leans.
 #include "verdigris/picture/patch_bands.hpp"
 
 #include <algorithm>
@@ -35,8 +35,9 @@ void band_lines(const Outline& outline, double cell_size, std::span<const Column
 namespace {
 
 struct ChainPoint {
-  double along;  // x on the parallel sides, y on the oblique ones
+  double along;  // x; y where the oblique sides are walked instead
   std::uint32_t vertex;
+  double across = 0.0;  // y of points on oblique sides
 };
 using Chain = std::vector<ChainPoint>;
 
@@ -45,11 +46,12 @@ class BandWriter {
   explicit BandWriter(BandIndices& indices) : indices_(indices) {}
 
   Chain lower, upper;   // along x
-  Chain left, right;    // along y, without the corners
+  Chain left, right;    // bottom up, without the corners
   double height = 0.0;  // y of the lower side
 
   void band() {
     if (lower.size() == 2 && upper.size() == 1) return triangle();
+    if (lower.size() > 2 && !(left.empty() && right.empty())) return leaning();
     walk();
     std::size_t begin = 0, end = steps_.size();
     if (!left.empty()) {
@@ -70,6 +72,22 @@ class BandWriter {
   }
 
  private:
+  // The oblique ends go over to the upper side. Both sides then begin and end in one point: a triangle at each end.
+  void leaning() {
+    const std::uint32_t first = lower.front().vertex, last = lower.back().vertex;
+    lower.erase(lower.begin());
+    lower.pop_back();
+    upper.insert(upper.begin(), left.begin(), left.end());
+    upper.insert(upper.end(), right.rbegin(), right.rend());
+    open_fan(upper.front().vertex, first);
+    indices_.fans.push_back(lower.front().vertex);
+    const std::uint32_t last_upper = upper.back().vertex, last_lower = lower.back().vertex;
+    walk();
+    encode(0, steps_.size());
+    open_fan(last_upper, last_lower);
+    indices_.fans.push_back(last);
+  }
+
   // The band is a triangle without points on its lower side: its two oblique sides are walked instead, bottom
   // up.
   void triangle() {
@@ -85,6 +103,8 @@ class BandWriter {
     } else {
       std::swap(lower, right);
       std::swap(upper, left);
+      for (Chain* side : {&lower, &upper})
+        for (ChainPoint& p : *side) p.along = p.across;
       lower.insert(lower.begin(), {height, end});
       upper.insert(upper.begin(), {height, start});
       const std::uint32_t last_left = upper.back().vertex, last_right = lower.back().vertex;
@@ -189,7 +209,7 @@ void triangulate_bands(const Frame& frame, double cell_size, const Outline& outl
     const std::size_t from = k == 0 ? 0 : lines[k - 1].*end + 1u;
     const std::size_t to = k == lines.size() ? side.size() : lines[k].*end;
     for (std::size_t n = from; n < to; ++n)
-      points.push_back({side[n].p.y, offset + static_cast<std::uint32_t>(n)});
+      points.push_back({side[n].p.x, offset + static_cast<std::uint32_t>(n), side[n].p.y});
   };
   BandWriter writer(indices);
   for (std::size_t k = first; k < last; ++k) {

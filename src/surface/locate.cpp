@@ -71,12 +71,17 @@ class TriangleTree {
   // The nearest point of the mesh; of equally near triangles the one of lowest index.
   Hit nearest(glm::dvec3 point) const {
     Query query{this, point, {}};
-    const glm::dvec3 p = scaled(point);
+    // From far outside, single precision would overflow: the direction is what counts then.
+    const double away = glm::length(point - centre_) * scale_;
+    const double near = std::min(1.0, 1e3 / std::max(away, 1.0));
+    const glm::dvec3 p = (point - centre_) * near * scale_;
+    query.point = centre_ + (point - centre_) * near;
     RTCPointQuery embree{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z), 0.0f,
                          std::numeric_limits<float>::infinity()};
     RTCPointQueryContext context;
     rtcInitPointQueryContext(&context);
     rtcPointQuery(scene_.get(), &embree, &context, visit, &query);
+    query.best.distance = glm::length(point - query.best.point);
     return query.best;
   }
 

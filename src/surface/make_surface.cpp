@@ -46,9 +46,8 @@ void check(const Mesh& mesh, const SurfaceOptions& options) {
                                  clean_size(cell_size_for(mesh, 1e6))));
   const SurfaceEstimate estimate = estimate_surface(mesh, h);
   const double memory = physical_memory();
-  // The fields of a simulation come on top: 8 bytes a slot.
-  const double need = estimate.bytes + 8.0 * estimate.slots;
-  if (estimate.slots < 0.98 * static_cast<double>(most_slots) && need < memory) return;
+  const double need = estimate.run_bytes;
+  if (estimate.slots < 0.98 * static_cast<double>(most_slots) && need < 0.9 * memory) return;
   const double scale =
       std::max(estimate.slots / (0.9 * static_cast<double>(most_slots)), need / (0.8 * memory));
   throw InputError(
@@ -57,7 +56,8 @@ void check(const Mesh& mesh, const SurfaceOptions& options) {
           "{} would make {:.3g} cells and take {:.3g} GB; this machine has {:.3g} GB and a surface holds "
           "at most {:.3g} cells",
           clean_size(h), estimate.cells, need / 1e9, memory / 1e9, static_cast<double>(most_slots)),
-      fmt::format("use cells of {} model units or larger", clean_size(h * std::sqrt(scale))));
+      fmt::format("use cells of {} model units or larger",
+                               clean_size(std::isfinite(scale) ? h * std::sqrt(scale) : cell_size_for(mesh, 1e8))));
 }
 
 struct PatchSize {
@@ -103,13 +103,24 @@ class SurfaceBuilder {
 
   void mark_creases(double degrees) {
     constexpr double pi = 3.14159265358979323846;
-    const double least_cosine = std::cos(degrees * pi / 180.0);
+    // Rounding makes coplanar faces turn by some 1e-7 radians.
+    const double least_cosine = std::cos(degrees * pi / 180.0) - 1e-9;
     const auto& opposite = surface_.adjacency_->opposite;
+    std::vector<glm::dvec3> normals;
+    for (const Frame& frame : surface_.frames_) normals.push_back(frame.cy > 0.0 ? frame.normal() : glm::dvec3(0.0));
+    // A triangle of no area lies flat on what it touches with its longest edge, through others like it.
+    for (int pass = 0; pass < 8; ++pass)
+      for (std::size_t t = 0; t < normals.size(); ++t) {
+        const std::uint32_t across = opposite[3 * t + surface_.frames_[t].first_corner];
+        if (surface_.frames_[t].cy <= 0.0 && normals[t] == glm::dvec3(0.0) && across != Adjacency::none)
+          normals[t] = normals[across / 3];
+      }
     barrier_.assign(opposite.size(), false);
-    for (std::size_t e = 0; e < opposite.size(); ++e)
-      if (opposite[e] != Adjacency::none)
-        barrier_[e] = glm::dot(surface_.frames_[e / 3].normal(), surface_.frames_[opposite[e] / 3].normal()) <
-                      least_cosine;
+    for (std::size_t e = 0; e < opposite.size(); ++e) {
+      if (opposite[e] == Adjacency::none) continue;
+      const glm::dvec3 &a = normals[e / 3], &b = normals[opposite[e] / 3];
+      barrier_[e] = a != glm::dvec3(0.0) && b != glm::dvec3(0.0) && glm::dot(a, b) < least_cosine;
+    }
   }
 
   // A centre on the edge itself belongs to the triangle of lower index: one owner, and no bias in the count.
@@ -294,6 +305,9 @@ SurfaceEstimate estimate_surface(const Mesh& mesh, double cell_size) {
   total.slots = total.cells + ghosts;
   total.bytes = 16.0 * rows + 8.0 * ghosts + 0.25 * total.slots +
                 static_cast<double>(mesh.triangles.size()) * static_cast<double>(sizeof(Frame) + 4);
+  // At its end a run holds states, labels and arrivals, 12 bytes a slot, and a mark; while it is built, a surface holds
+  // its links thrice over.
+  total.run_bytes = total.bytes + std::max(12.125 * total.slots, 24.0 * ghosts);
   return total;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 #include <vector>
 
 namespace verdigris {
@@ -70,7 +71,7 @@ std::optional<NearestCell> nearest_cell(const PatchRows& rows, const Unfolding& 
     glm::dvec2 point;
   };
   std::vector<Visit> queue{{patch, -1, point}};
-  std::vector<std::uint32_t> seen{patch};
+  std::unordered_set<std::uint32_t> seen{patch};
   const double cell2 = rows.cell_size * rows.cell_size;
   for (std::size_t next = 0; next < queue.size() && queue.size() < most_patches; ++next) {
     const Visit at = queue[next];
@@ -80,9 +81,9 @@ std::optional<NearestCell> nearest_cell(const PatchRows& rows, const Unfolding& 
       const std::uint32_t across = unfolding.across(at.patch, k);
       if (across == Adjacency::none) continue;
       const std::uint32_t other = across / 3;
-      if (other == except || std::find(seen.begin(), seen.end(), other) != seen.end()) continue;
+      if (other == except || seen.contains(other)) continue;
       if (squared_distance_to_edge(frame, k, at.point) >= best.distance2 * cell2) continue;
-      seen.push_back(other);
+      seen.insert(other);
       const int edge = unfolding.frame_edge(across);
       const glm::dvec2 p = unfold(frame, k, unfolding.frame(other), edge)(at.point);
       search_patch(rows, other, p, best);

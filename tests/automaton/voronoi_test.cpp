@@ -135,4 +135,51 @@ TEST(Voronoi, RandomSeedsAreUniformByArea) {
   EXPECT_NEAR(on_top, 1000, 120);
 }
 
+// A flat square whose halves are joined through a triangle of no area, turned by some angles.
+Mesh square_with_filler(double turn) {
+  Mesh m{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0}},
+         {{0, 1, 2}, {0, 2, 4}, {0, 4, 3}, {4, 2, 3}}, {}, {}, {}, {}};
+  for (glm::dvec3& p : m.positions) {
+    const glm::dvec3 q(std::cos(turn) * p.x - std::sin(turn) * p.y, std::sin(turn) * p.x + std::cos(turn) * p.y, p.z);
+    p = {q.x, std::cos(2 * turn) * q.y - std::sin(2 * turn) * q.z, std::sin(2 * turn) * q.y + std::cos(2 * turn) * q.z};
+  }
+  return m;
+}
+
+TEST(Voronoi, FlatSurfaceHasNoBarrier) {
+  for (const double turn : {0.0, 0.3, 1.1, 2.0, 2.9, 4.0})
+    for (const double angle : {0.0, 45.0}) {
+      const Surface s = make_surface(square_with_filler(turn), {.cell_size = 0.02, .crease_angle = angle});
+      VoronoiGrowth growth({s, 1, random_seeds(s, 1, 1), {}}, {});
+      finish(growth);
+      const auto labels = growth.labels();
+      for_owned(s, [&](std::uint32_t slot) { ASSERT_EQ(labels[slot], 0) << turn << ", " << angle; });
+    }
+}
+
+TEST(Voronoi, WithoutCornersItStillEnds) {
+  // Walls that meet only at corners: what is behind them is never reached, and nobody waits for it.
+  const Surface s = make_surface(shapes::plain(40), {.cell_size = 1.0});
+  const std::uint32_t middle = slot_at(s, {0, 0, 0});
+  Field<std::uint8_t> walls(s.slot_count(), 0);
+  for_owned(s, [&](std::uint32_t slot) {
+    const CellRef c = s.cell(slot);
+    walls[slot] = (c.row + c.column) % 2 == 0 && slot != middle;
+  });
+  SimulationSetup setup{s, 1, {{middle, 1.0}}, walls};
+  VoronoiGrowth growth(setup, {0.0});
+  for (int step = 0; step < 10000 && !growth.finished(); ++step) growth.step();
+  EXPECT_TRUE(growth.finished());
+  EXPECT_LT(growth.steps(), 100u);
+}
+
+TEST(Voronoi, ProjectedPairsTakeLinearTimeWhereTrianglesAreSmallerThanCells) {
+  // 57,600 triangles of about a cell each: a turn passes many of them, and visits none again and again.
+  const Surface s = make_surface(shapes::torus(3, 1, 240, 120), {.cell_size = 0.045, .links = LinkKind::projected});
+  VoronoiGrowth growth({s, 1, random_seeds(s, 5, 1), {}}, {});
+  std::uint64_t changed = 0;
+  while (!growth.finished()) changed += growth.step().changed;
+  EXPECT_LT(changed, 20u * s.slot_count());
+}
+
 }  // namespace

@@ -199,7 +199,12 @@ class FrontStepper {
   }
 
   // Pairs are merged from the states before a turn: those need the two passes.
-  bool in_place() const { return StampedBehaviour<B> && surface_.link_kind() == LinkKind::unfolded; }
+  bool in_place() const {
+    if constexpr (StampedBehaviour<B>)
+      return behaviour_.in_place() && surface_.link_kind() == LinkKind::unfolded;
+    else
+      return false;
+  }
 
   // Base offsets wrap around: the pointers are formed from 32-bit slots.
   Neighbourhood<State> around(const Place& place) const {

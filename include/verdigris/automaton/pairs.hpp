@@ -4,8 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <iterator>
-#include <tuple>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -20,16 +19,16 @@ using Merges = std::vector<std::pair<std::uint32_t, State>>;
 
 /// What cells become when the pairs of `sources` are made common; ascending by slot, only those that change.
 ///
-/// A cell that takes a state hands it on in the same turn over the other edges of its triangle, but not back
-/// over the one it came by. So a triangle narrower than a cell is passed at once: what Fig. 9 of the paper
-/// warns of. Only states from before the turn decide who takes what; the order of pairs cannot matter.
+/// In a triangle narrower than a cell, a cell that takes a state hands it on in the same turn over the other edges, not
+/// back over the one it came by: such a triangle is passed at once, which is what Fig. 9 of the paper warns of. Only
+/// states from before the turn decide who takes what; the order of pairs cannot matter.
 template <MergingBehaviour B, typename Slots>
 Merges<typename B::State> merge_pairs(const Surface& surface, const B& behaviour,
                                       const Field<typename B::State>& state, const Slots& sources) {
+  using State = typename B::State;
   struct Passing {
     std::uint32_t slot, from_patch, patch;
-    typename B::State value;
-    auto key() const { return std::tuple(slot, from_patch, value); }
+    State value;
   };
   const auto patch_of = [&](std::uint32_t slot) { return surface.patch_of_row(surface.row_of(slot)); };
   constexpr std::uint32_t nowhere = 0xFFFFFFFFu;
@@ -37,33 +36,36 @@ Merges<typename B::State> merge_pairs(const Surface& surface, const B& behaviour
   std::vector<Passing> wave, next;
   for (const std::uint32_t source : sources)
     if (surface.links().is_source(source)) wave.push_back({source, nowhere, patch_of(source), state[source]});
-  const auto by_key = [](const Passing& a, const Passing& b) { return a.key() < b.key(); };
-  const auto same = [](const Passing& a, const Passing& b) { return a.key() == b.key(); };
-  std::vector<Passing> taken;
+  // What came to a slot from a patch: a state goes on only where it makes a difference there.
+  std::unordered_map<std::uint64_t, State> taken;
   while (!wave.empty()) {
     next.clear();
     for (const Passing& p : wave)
       for (const std::uint32_t partner : surface.links().targets(p.slot)) {
-        if (behaviour.merge(state[partner], p.value) == state[partner]) continue;
+        const State before = state[partner];
+        if (behaviour.merge(before, p.value) == before) continue;
         const std::uint32_t patch = patch_of(partner);
-        if (patch != p.from_patch) next.push_back({partner, p.patch, patch, p.value});
+        if (patch == p.from_patch) continue;
+        const auto [at, fresh] = taken.try_emplace(std::uint64_t{partner} << 32 | p.patch, before);
+        const State merged = behaviour.merge(at->second, p.value);
+        if (merged == at->second) continue;
+        at->second = merged;
+        if (surface.frame(patch).cy < surface.cell_size()) next.push_back({partner, p.patch, patch, merged});
       }
-    std::sort(next.begin(), next.end(), by_key);
-    next.erase(std::unique(next.begin(), next.end(), same), next.end());
-    // Only what was not there before goes on: rings of thin triangles come back to where they began.
-    wave.clear();
-    std::set_difference(next.begin(), next.end(), taken.begin(), taken.end(), std::back_inserter(wave),
-                        by_key);
-    const auto middle = static_cast<std::ptrdiff_t>(taken.size());
-    taken.insert(taken.end(), wave.begin(), wave.end());
-    std::inplace_merge(taken.begin(), taken.begin() + middle, taken.end(), by_key);
+    wave.swap(next);
   }
 
-  Merges<typename B::State> merges;
-  for (const Passing& p : taken) {
-    if (merges.empty() || merges.back().first != p.slot) merges.emplace_back(p.slot, state[p.slot]);
-    merges.back().second = behaviour.merge(merges.back().second, p.value);
+  Merges<State> merges;
+  for (const auto& [key, value] : taken) merges.emplace_back(static_cast<std::uint32_t>(key >> 32), value);
+  std::sort(merges.begin(), merges.end());
+  std::size_t count = 0;
+  for (const auto& [slot, value] : merges) {
+    if (count > 0 && merges[count - 1].first == slot)
+      merges[count - 1].second = behaviour.merge(merges[count - 1].second, value);
+    else
+      merges[count++] = {slot, value};
   }
+  merges.resize(count);
   return merges;
 }
 

@@ -29,6 +29,8 @@ struct VoronoiRule {
   static constexpr Word empty = std::numeric_limits<Word>::max();
   static constexpr Word blocked = empty - 1;  ///< a barrier: never filled
   static constexpr bool stamped = true;
+  /// Without a chance at corners a cell beside a filled corner does not wait: such steps are done in two passes.
+  bool in_place() const { return corner_threshold > 0; }
   static constexpr std::uint32_t corner_purpose = 0x564f5201, tie_purpose = 0x564f5202;
 
   unsigned label_bits = 1;
@@ -59,7 +61,7 @@ struct VoronoiRule {
   bool waits(const Neighbourhood<Word>& n) const {
     if (*n.here != empty) return false;
     for (int k = 0; k < 4; ++k)
-      if (filled(n.side(k)) || filled(n.corner(k))) return true;
+      if (filled(n.side(k)) || (corner_threshold > 0 && filled(n.corner(k)))) return true;
     return false;
   }
   Word outside() const { return empty; }

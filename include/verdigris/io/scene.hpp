@@ -25,6 +25,7 @@ struct SeedPlan {
 struct BarrierPlan {
   double angle = 181.0;             ///< degrees; growth does not cross edges whose faces turn by more
   std::filesystem::path mask;       ///< numbers, one for each vertex or face of the file; empty: none
+  std::string mask_on;              ///< "vertices" or "faces"; empty: told by how many numbers there are
   double threshold = 0.5;           ///< cells whose mask is at least this are not covered
 };
 
@@ -65,5 +66,8 @@ void write_scene(const std::filesystem::path& file, const Scene& scene);
 /// "unfolded" or "projected"; InputError otherwise.
 LinkKind link_kind_named(const std::string& name);
 const char* name_of(LinkKind kind);
+
+/// InputError, naming `where`, unless `name` is "vertices", "faces" or empty.
+void check_mask_on(const std::string& name, const std::string& where);
 
 }  // namespace verdigris

@@ -41,7 +41,7 @@ class Camera {
 /// What to see and how large.
 struct ViewSettings {
   UpAxis up = UpAxis::y;
-  double field_of_view = 30.0;  ///< degrees, of the shorter side of the image
+  double field_of_view = 30.0;  ///< degrees, of the longer side of the image
   double margin = 0.04;         ///< share of the image left free on each side that the model reaches
   int width = 1280, height = 960;
 };

@@ -14,8 +14,8 @@ namespace verdigris {
 /// (colour_difference), lightness stays within a narrow band, so that light and shade remain readable.
 std::span<const Rgba8> region_palette();
 
-/// For cells without a label.
-inline constexpr Rgba8 unlabelled{190, 187, 180, 255};
+/// For cells without a label: darker than any region.
+inline constexpr Rgba8 unlabelled{84, 84, 88, 255};
 
 /// Two regions that touch, smaller label first.
 using LabelPair = std::pair<std::int32_t, std::int32_t>;

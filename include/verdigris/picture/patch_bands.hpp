@@ -50,7 +50,7 @@ void band_lines(const Outline& outline, double cell_size, std::span<const Column
 /// (half a cell high), band k between lines k - 1 and k, the last one between the last line and C.
 ///
 /// `base` is added to contour vertices; the centres of line k are numbered on from `line_vertex[k]`. Each
-/// band is convex: a strip in the middle, fans at the ends where the two sides differ by more than one point.
+/// band is convex: strips, and fans where one side has several points to one of the other.
 /// All triangles are counter-clockwise, cover the bands exactly, and have no angle of 180 degrees.
 void triangulate_bands(const Frame& frame, double cell_size, const Outline& outline,
                        std::span<const BandLine> lines, std::span<const std::uint32_t> line_vertex,

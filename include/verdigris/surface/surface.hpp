@@ -143,9 +143,11 @@ Surface make_surface(Mesh mesh, Adjacency adjacency, const SurfaceOptions& optio
 /// The cell size at which `mesh` gets about `cells` owned cells: sqrt(area / cells).
 double cell_size_for(const Mesh& mesh, double cells);
 
-/// Slots, rows and bytes that a surface of this cell size would take, without building it.
+/// What a surface of this cell size would take, without building it.
 struct SurfaceEstimate {
-  double cells = 0.0, slots = 0.0, bytes = 0.0;
+  double cells = 0.0, slots = 0.0;
+  double bytes = 0.0;      ///< of the surface
+  double run_bytes = 0.0;  ///< of a run of Voronoi growth at its greatest, without its picture
 };
 SurfaceEstimate estimate_surface(const Mesh& mesh, double cell_size);
 
