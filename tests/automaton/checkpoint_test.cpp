@@ -78,10 +78,10 @@ struct Shape {
 };
 
 std::vector<Shape> shapes_to_try() {
-  return {{"torus", shapes::torus(3, 1, 20, 12), 0.06},
-          {"few cells a triangle", shapes::torus(3, 1, 90, 40), 0.07},
-          {"triangles narrower than a cell", shapes::cylinder(1, 12, 60), 0.15},
-          {"plane", shapes::random_plane(9, 40, 2), 1.0}};
+  return {{"torus", shapes::torus(3, 1, 20, 12), 0.1},
+          {"few cells a triangle", shapes::torus(3, 1, 60, 30), 0.11},
+          {"triangles narrower than a cell", shapes::cylinder(1, 12, 60), 0.17},
+          {"plane", shapes::random_plane(9, 40, 2), 1.6}};
 }
 
 TEST(Checkpoint, VoronoiGrowthGoesOn) {
