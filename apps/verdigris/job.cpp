@@ -46,7 +46,8 @@ void check_utf8(const std::filesystem::path& path) {
 // Makes the directory for the results; takes it away again when nothing came to be in it.
 class NewDirectory {
  public:
-  explicit NewDirectory(std::filesystem::path path) : path_(std::move(path)), made_(!std::filesystem::exists(path_)) {
+  explicit NewDirectory(std::filesystem::path path)
+      : path_(std::move(path)), made_(!std::filesystem::exists(path_)) {
     make_directory(path_);
   }
   NewDirectory(const NewDirectory&) = delete;
@@ -159,8 +160,8 @@ bool grow(AnySimulation& simulation, const Scene& scene, std::uint64_t cells, Pr
 }
 
 // Regions that end at a barrier touch all the same: for the picture no edge bars the view to the other side.
-void draw(const std::filesystem::path& file, const Surface& surface, const Field<std::int32_t>& values, bool labels,
-          const Scene& scene) {
+void draw(const std::filesystem::path& file, const Surface& surface, const Field<std::int32_t>& values,
+          bool labels, const Scene& scene) {
   if (scene.barrier.angle >= 180.0 || scene.links == LinkKind::projected)
     return write_picture(file, surface, values, labels, scene.picture);
   const Surface open = make_surface(surface.mesh(), {scene.cell_size, scene.links});
@@ -206,9 +207,8 @@ int run_job(Scene scene, const RunOptions& options) {
   if (options.resume) checkpoint = checkpoint_to_resume(checkpoint_file, scene.steps);
   const NewDirectory place(out);
   if (!options.resume && !options.quiet && std::filesystem::exists(checkpoint_file))
-    say(
-               "note: {} of an unfinished run is there; --resume would go on from it, this run replaces it\n",
-               checkpoint_file.string());
+    say("note: {} of an unfinished run is there; --resume would go on from it, this run replaces it\n",
+        checkpoint_file.string());
   for (const char* name :
        {"cells.vtp", "regions.csv", "curve.csv", "run.toml", "picture.png", "checkpoint.vgc"})
     remove_abandoned(out / name);
@@ -239,11 +239,13 @@ int run_job(Scene scene, const RunOptions& options) {
   const double coverage = static_cast<double>(surface.owned_count()) * scene.cell_size * scene.cell_size /
                           mesh_area(surface.mesh());
   if (std::abs(coverage - 1.0) > 0.02 && !options.quiet)
-    say(
-               "warning: the cells cover {:.1f} % of the area: with {:.1f} cells a triangle their number is off, and areas "
-               "with it; use smaller cells (--cells {:.0f})\n",
-               100.0 * coverage, static_cast<double>(surface.owned_count()) / static_cast<double>(surface.patch_count()),
-               std::max(2.0 * static_cast<double>(surface.owned_count()), 14.0 * static_cast<double>(surface.patch_count())));
+    say("warning: the cells cover {:.1f} % of the area: with {:.1f} cells a triangle their number is off, "
+        "and areas "
+        "with it; use smaller cells (--cells {:.0f})\n",
+        100.0 * coverage,
+        static_cast<double>(surface.owned_count()) / static_cast<double>(surface.patch_count()),
+        std::max(2.0 * static_cast<double>(surface.owned_count()),
+                 14.0 * static_cast<double>(surface.patch_count())));
   lap("build");
 
   Field<std::uint8_t> barrier = make_barrier(surface, scene, loaded.read);
@@ -262,8 +264,7 @@ int run_job(Scene scene, const RunOptions& options) {
     checkpoint.reset();
   }
   const std::uint64_t first_step = simulation->steps();
-  if (options.resume && !options.quiet && !options.json)
-    say( "resuming at step {}\n", first_step);
+  if (options.resume && !options.quiet && !options.json) say("resuming at step {}\n", first_step);
   lap("start");
   CheckpointWriter checkpoints(checkpoint_file, interval, identity);
   const bool complete = grow(*simulation, scene, surface.owned_count(), progress, checkpoints);
@@ -321,11 +322,11 @@ int run_job(Scene scene, const RunOptions& options) {
   const double cells = static_cast<double>(surface.owned_count());
   if (placed.farthest >
       0.01 * glm::length(mesh_bounds(surface.mesh()).upper - mesh_bounds(surface.mesh()).lower))
-    say( "warning: a seed point lies {:.4g} model units from the surface; it was moved there\n",
-               placed.farthest);
+    say("warning: a seed point lies {:.4g} model units from the surface; it was moved there\n",
+        placed.farthest);
   if (!complete)
-    say( "stopped after step {}; the results so far are written{}\n", simulation->steps(),
-               resumable ? "; the same command with --resume goes on from there" : "");
+    say("stopped after step {}; the results so far are written{}\n", simulation->steps(),
+        resumable ? "; the same command with --resume goes on from there" : "");
   if (options.json) {
     nlohmann::ordered_json report{
         {"version", VERDIGRIS_VERSION},

@@ -58,11 +58,10 @@ int main(int argc, char** argv) {
     // Help and version leave with 0, every misuse with the status of bad input.
     return app.exit(error) == 0 ? 0 : bad_input;
   } catch (const std::bad_alloc&) {
-    say(
-               "error: out of memory\n  remedy: use fewer cells (--cells) or a machine with more memory\n");
+    say("error: out of memory\n  remedy: use fewer cells (--cells) or a machine with more memory\n");
     return bad_input;
   } catch (const std::exception& error) {
-    say( "error: {}\n", error.what());
+    say("error: {}\n", error.what());
     return bad_input;
   }
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {

@@ -9,7 +9,9 @@
 
 Progress::Progress(bool show) : show_(show && ::isatty(STDERR_FILENO) == 1) {}
 
-Progress::~Progress() { finish(); }
+Progress::~Progress() {
+  finish();
+}
 
 void Progress::stage(const std::string& name) {
   finish();
@@ -55,4 +57,6 @@ void watch_for_interrupt() {
   std::signal(SIGTERM, on_signal);
 }
 
-bool interrupted() { return stop_requested.load(std::memory_order_relaxed); }
+bool interrupted() {
+  return stop_requested.load(std::memory_order_relaxed);
+}

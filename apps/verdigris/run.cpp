@@ -8,10 +8,14 @@ void add_run(CLI::App& app, int& status) {
     RunOptions run;
   };
   auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand("run", "Run a scene file; repeats an earlier run to the bit from its run.toml");
+  auto* command =
+      app.add_subcommand("run", "Run a scene file; repeats an earlier run to the bit from its run.toml");
   command->add_option("SCENE", options->scene, "Scene file (TOML)")->required();
   add_run_options(*command, options->run);
-  command->footer("A scene names mesh, surface, behaviour, seeds, barrier, run and picture; every run writes one as run.toml.\n"
-                  "Paths in it are relative to it.");
-  command->callback([options, &status] { status = run_job(verdigris::read_scene(options->scene), options->run); });
+  command->footer(
+      "A scene names mesh, surface, behaviour, seeds, barrier, run and picture; every run writes one as "
+      "run.toml.\n"
+      "Paths in it are relative to it.");
+  command->callback(
+      [options, &status] { status = run_job(verdigris::read_scene(options->scene), options->run); });
 }

@@ -113,7 +113,8 @@ void add_voronoi(CLI::App& app, int& status) {
           p.name, command->count("--" + p.name) > 0 ? options->parameters[p.name] : p.default_value);
     for (const double value : {plan.barrier.angle, plan.barrier.threshold})
       if (!std::isfinite(value))
-        throw InputError("--barrier-angle, --barrier-threshold", fmt::format("{} is not a number", value), "give a number");
+        throw InputError("--barrier-angle, --barrier-threshold", fmt::format("{} is not a number", value),
+                         "give a number");
     check_mask_on(plan.barrier.mask_on, "--barrier-mask-on");
     finish_surface_options(plan, options->surface);
     finish_picture_options(plan, options->picture);

@@ -11,7 +11,8 @@
 namespace verdigris {
 
 void Catalogue::add(BehaviourEntry entry) {
-  if (std::any_of(entries_.begin(), entries_.end(), [&](const BehaviourEntry& e) { return e.name == entry.name; }))
+  if (std::any_of(entries_.begin(), entries_.end(),
+                  [&](const BehaviourEntry& e) { return e.name == entry.name; }))
     throw std::invalid_argument("the catalogue already has a behaviour named " + entry.name);
   entries_.push_back(std::move(entry));
 }

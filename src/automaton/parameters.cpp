@@ -9,11 +9,13 @@
 
 namespace verdigris {
 
-void check_parameters(std::string_view behaviour, const std::vector<ParameterInfo>& known, const ParameterValues& values) {
+void check_parameters(std::string_view behaviour, const std::vector<ParameterInfo>& known,
+                      const ParameterValues& values) {
   for (const auto& given : values) {
     const std::string& name = given.first;
     const double value = given.second;
-    const auto info = std::find_if(known.begin(), known.end(), [&](const ParameterInfo& p) { return p.name == name; });
+    const auto info =
+        std::find_if(known.begin(), known.end(), [&](const ParameterInfo& p) { return p.name == name; });
     const std::string where = fmt::format("{}.{}", behaviour, name);
     if (info == known.end()) {
       std::string names;
@@ -24,8 +26,9 @@ void check_parameters(std::string_view behaviour, const std::vector<ParameterInf
       throw InputError(where, "no such parameter", "the parameters are: " + names);
     }
     if (!(value >= info->least && value <= info->greatest))
-      throw InputError(where, fmt::format("{} is out of range", value),
-                       fmt::format("give a value from {} to {} ({})", info->least, info->greatest, info->help));
+      throw InputError(
+          where, fmt::format("{} is out of range", value),
+          fmt::format("give a value from {} to {} ({})", info->least, info->greatest, info->help));
     if (info->integer && value != std::floor(value))
       throw InputError(where, fmt::format("{} is not a whole number", value),
                        fmt::format("give a whole number from {} to {}", info->least, info->greatest));

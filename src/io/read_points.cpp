@@ -15,7 +15,8 @@ namespace {
 
 // Visits each line that holds something: the numbers on it, and where it begins.
 template <typename Visit>
-void visit_lines(const std::filesystem::path& file, std::size_t least, std::size_t most, const char* form, Visit&& visit) {
+void visit_lines(const std::filesystem::path& file, std::size_t least, std::size_t most, const char* form,
+                 Visit&& visit) {
   io::FileBytes bytes = io::read_file(file);
   io::prepare_text(bytes, file);
   std::replace(bytes.data(), bytes.data() + bytes.size(), ',', ' ');
@@ -51,7 +52,8 @@ std::vector<WeightedPoint> read_points(const std::filesystem::path& file) {
               [&](const std::vector<double>& n, std::size_t at, io::Faults& faults) {
                 const double weight = n.size() == 4 ? n[3] : 1.0;
                 if (!(weight > 0.0))
-                  faults.add(at, fmt::format("weight {} is not positive", weight), "give weights greater than 0");
+                  faults.add(at, fmt::format("weight {} is not positive", weight),
+                             "give weights greater than 0");
                 points.push_back({{n[0], n[1], n[2]}, weight});
               });
   return points;

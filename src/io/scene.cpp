@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <toml++/toml.h>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
-#include <toml++/toml.h>
 
 #include "file_bytes.hpp"
 #include "verdigris/io/replace_file.hpp"
@@ -24,17 +24,21 @@ void check_mask_on(const std::string& name, const std::string& where) {
     throw InputError(where, fmt::format("a mask cannot be on '{}'", name), "choose vertices or faces");
 }
 
-const char* name_of(LinkKind kind) { return kind == LinkKind::unfolded ? "unfolded" : "projected"; }
+const char* name_of(LinkKind kind) {
+  return kind == LinkKind::unfolded ? "unfolded" : "projected";
+}
 
 namespace {
 
 // One table of a scene file, read key by key; what was not asked for is an error.
 class Table {
  public:
-  Table(const std::filesystem::path& file, const toml::table& root, const char* name) : file_(file), name_(name) {
+  Table(const std::filesystem::path& file, const toml::table& root, const char* name)
+      : file_(file), name_(name) {
     if (const toml::node* node = root.get(name)) {
       table_ = node->as_table();
-      if (table_ == nullptr) fail(*node, fmt::format("'{}' is not a table", name), fmt::format("write [{}]", name));
+      if (table_ == nullptr)
+        fail(*node, fmt::format("'{}' is not a table", name), fmt::format("write [{}]", name));
     }
   }
 
@@ -45,13 +49,15 @@ class Table {
 
   void text(const char* key, std::string& value) const {
     if (const toml::node* node = find(key)) {
-      if (!node->is_string()) fail(*node, fmt::format("{}.{} is not a string", name_, key), "put it in quotes");
+      if (!node->is_string())
+        fail(*node, fmt::format("{}.{} is not a string", name_, key), "put it in quotes");
       value = node->as_string()->get();
     }
   }
   void flag(const char* key, bool& value) const {
     if (const toml::node* node = find(key)) {
-      if (!node->is_boolean()) fail(*node, fmt::format("{}.{} is not true or false", name_, key), "write true or false");
+      if (!node->is_boolean())
+        fail(*node, fmt::format("{}.{} is not true or false", name_, key), "write true or false");
       value = node->as_boolean()->get();
     }
   }
@@ -61,16 +67,20 @@ class Table {
   double number_of(const toml::node& node, std::string_view key, double least, double greatest) const {
     const auto value = node.value<double>();
     if (!value || node.is_boolean() || node.is_string() || !(*value >= least && *value <= greatest))
-      fail(node, fmt::format("{}.{} is not a number from {} to {}", name_, key, least, greatest), "correct the value");
+      fail(node, fmt::format("{}.{} is not a number from {} to {}", name_, key, least, greatest),
+           "correct the value");
     return *value;
   }
   template <typename Integer>
   void whole(const char* key, Integer& value, std::int64_t least, std::int64_t greatest) const {
-    if (const toml::node* node = find(key)) value = static_cast<Integer>(whole_of(*node, key, least, greatest));
+    if (const toml::node* node = find(key))
+      value = static_cast<Integer>(whole_of(*node, key, least, greatest));
   }
-  std::int64_t whole_of(const toml::node& node, std::string_view key, std::int64_t least, std::int64_t greatest) const {
+  std::int64_t whole_of(const toml::node& node, std::string_view key, std::int64_t least,
+                        std::int64_t greatest) const {
     if (!node.is_integer() || node.as_integer()->get() < least || node.as_integer()->get() > greatest)
-      fail(node, fmt::format("{}.{} is not a whole number from {} to {}", name_, key, least, greatest), "correct the value");
+      fail(node, fmt::format("{}.{} is not a whole number from {} to {}", name_, key, least, greatest),
+           "correct the value");
     return node.as_integer()->get();
   }
   const toml::array* array(const char* key) const {
@@ -118,11 +128,13 @@ void read_seeds(const Table& seeds, const std::filesystem::path& base, SeedPlan&
     for (const toml::node& node : *points) {
       const toml::array* p = node.as_array();
       if (p == nullptr || p->size() < 3 || p->size() > 4)
-        seeds.fail(node, "seeds.points holds something that is no point", "write [x, y, z] or [x, y, z, weight]");
+        seeds.fail(node, "seeds.points holds something that is no point",
+                   "write [x, y, z] or [x, y, z, weight]");
       WeightedPoint point;
       for (std::size_t k = 0; k < 3; ++k)
         point.position[static_cast<int>(k)] = seeds.number_of(*p->get(k), "points", -most, most);
-      if (p->size() == 4) point.weight = seeds.number_of(*p->get(3), "points", std::numeric_limits<double>::min(), most);
+      if (p->size() == 4)
+        point.weight = seeds.number_of(*p->get(3), "points", std::numeric_limits<double>::min(), most);
       plan.points.push_back(point);
     }
   if (const toml::array* vertices = seeds.array("vertices"))
@@ -131,7 +143,8 @@ void read_seeds(const Table& seeds, const std::filesystem::path& base, SeedPlan&
   if (const toml::array* weights = seeds.array("weights"))
     for (const toml::node& node : *weights)
       plan.weights.push_back(seeds.number_of(node, "weights", std::numeric_limits<double>::min(), most));
-  const int ways = (plan.count > 0) + (seeds.find("points") != nullptr) + !file.empty() + !plan.vertices.empty();
+  const int ways =
+      (plan.count > 0) + (seeds.find("points") != nullptr) + !file.empty() + !plan.vertices.empty();
   if (seeds && ways != 1)
     seeds.fail(seeds.raw(), "seeds are given in more than one way, or in none",
                "keep one of count, points, file and vertices");
@@ -146,12 +159,12 @@ Scene read_scene(const std::filesystem::path& file) {
   try {
     root = toml::parse(bytes.view(), file.string());
   } catch (const toml::parse_error& error) {
-    throw InputError(fmt::format("{}:{}", file.string(), error.source().begin.line), std::string(error.description()),
-                     "correct the TOML at that place");
+    throw InputError(fmt::format("{}:{}", file.string(), error.source().begin.line),
+                     std::string(error.description()), "correct the TOML at that place");
   }
   for (const auto& [key, node] : root)
-    if (key != "verdigris" && key != "mesh" && key != "surface" && key != "behaviour" && key != "seeds" && key != "barrier" &&
-        key != "run" && key != "picture")
+    if (key != "verdigris" && key != "mesh" && key != "surface" && key != "behaviour" && key != "seeds" &&
+        key != "barrier" && key != "run" && key != "picture")
       throw InputError(fmt::format("{}:{}", file.string(), node.source().begin.line),
                        fmt::format("there is no table '{}'", key.str()),
                        "the tables are: verdigris, mesh, surface, behaviour, seeds, barrier, run, picture");
@@ -166,7 +179,8 @@ Scene read_scene(const std::filesystem::path& file) {
   std::string mesh_file;
   mesh.text("file", mesh_file);
   if (mesh_file.empty())
-    throw InputError(file.string(), "no mesh is named", "write [mesh] and file = \"model.obj\"; the path is relative to the scene");
+    throw InputError(file.string(), "no mesh is named",
+                     "write [mesh] and file = \"model.obj\"; the path is relative to the scene");
   scene.mesh = base / mesh_file;
   mesh.text("hash", scene.mesh_hash);
   mesh.flag("mend", scene.mend);
@@ -180,7 +194,8 @@ Scene read_scene(const std::filesystem::path& file) {
   std::string links = name_of(scene.links);
   surface.text("links", links);
   if (links != "unfolded" && links != "projected")
-    surface.fail(*surface.find("links"), fmt::format("surface.links is '{}'", links), "choose unfolded or projected");
+    surface.fail(*surface.find("links"), fmt::format("surface.links is '{}'", links),
+                 "choose unfolded or projected");
   scene.links = link_kind_named(links);
 
   const Table behaviour(file, root, "behaviour");
@@ -188,7 +203,8 @@ Scene read_scene(const std::filesystem::path& file) {
   if (behaviour)
     for (const auto& [key, node] : behaviour.raw())
       if (key != "name")
-        scene.parameters.emplace_back(std::string(key.str()), behaviour.number_of(node, key.str(), -infinity, infinity));
+        scene.parameters.emplace_back(std::string(key.str()),
+                                      behaviour.number_of(node, key.str(), -infinity, infinity));
 
   read_seeds(Table(file, root, "seeds"), base, scene.seeds);
 
@@ -252,10 +268,11 @@ std::string path_from(const std::filesystem::path& file, const std::filesystem::
 }  // namespace
 
 void write_scene(const std::filesystem::path& file, const Scene& scene) {
-  std::string text = fmt::format("# Repeat this run, to the bit: verdigris run {}\n\n", file.filename().string());
+  std::string text =
+      fmt::format("# Repeat this run, to the bit: verdigris run {}\n\n", file.filename().string());
   text += fmt::format("[verdigris]\nversion = {}\n\n", quoted(VERDIGRIS_VERSION));
-  text += fmt::format("[mesh]\nfile = {}\nhash = {}\nmend = {}\n\n", path_from(file, scene.mesh), quoted(scene.mesh_hash),
-                      scene.mend);
+  text += fmt::format("[mesh]\nfile = {}\nhash = {}\nmend = {}\n\n", path_from(file, scene.mesh),
+                      quoted(scene.mesh_hash), scene.mend);
   text += "[surface]\n";
   text += scene.cell_size > 0.0 ? fmt::format("cell_size = {}\n", exact(scene.cell_size))
                                 : fmt::format("cells = {}\n", exact(scene.cells));
@@ -270,13 +287,14 @@ void write_scene(const std::filesystem::path& file, const Scene& scene) {
     if (!seeds.points.empty()) {
       text += "points = [\n";
       for (const WeightedPoint& p : seeds.points)
-        text += fmt::format("  [{}, {}, {}, {}],\n", exact(p.position.x), exact(p.position.y), exact(p.position.z),
-                            exact(p.weight));
+        text += fmt::format("  [{}, {}, {}, {}],\n", exact(p.position.x), exact(p.position.y),
+                            exact(p.position.z), exact(p.weight));
       text += "]\n";
     }
     if (!seeds.weights.empty()) {
       text += "weights = [";
-      for (std::size_t k = 0; k < seeds.weights.size(); ++k) text += (k == 0 ? "" : ", ") + exact(seeds.weights[k]);
+      for (std::size_t k = 0; k < seeds.weights.size(); ++k)
+        text += (k == 0 ? "" : ", ") + exact(seeds.weights[k]);
       text += "]\n";
     }
   }
@@ -286,8 +304,9 @@ void write_scene(const std::filesystem::path& file, const Scene& scene) {
                         quoted(scene.barrier.mask_on), exact(scene.barrier.threshold));
   text += fmt::format("\n[run]\nseed = {}\nsteps = {}\n", scene.seed, scene.steps);
   const PicturePlan& picture = scene.picture;
-  text += fmt::format("\n[picture]\ndraw = {}\nview = {}\nup = {}\nwidth = {}\nheight = {}\noutline = {}\n", picture.draw,
-                      quoted(picture.view), quoted(picture.up), picture.width, picture.height, picture.outline);
+  text += fmt::format("\n[picture]\ndraw = {}\nview = {}\nup = {}\nwidth = {}\nheight = {}\noutline = {}\n",
+                      picture.draw, quoted(picture.view), quoted(picture.up), picture.width, picture.height,
+                      picture.outline);
   ReplaceFile out(file);
   out.write(text);
   out.commit();

@@ -16,14 +16,17 @@ struct Appended {
   std::uint64_t offset = 0;
 
   std::string array(const char* type, const std::string& name, int components, std::uint64_t bytes) {
-    std::string text = fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>\n",
-                                   type, name, components, offset);
+    std::string text = fmt::format(
+        "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>\n",
+        type, name, components, offset);
     offset += sizeof(std::uint64_t) + bytes;
     return text;
   }
 };
 
-void write_size(ReplaceFile& file, std::uint64_t bytes) { file.write(&bytes, sizeof bytes); }
+void write_size(ReplaceFile& file, std::uint64_t bytes) {
+  file.write(&bytes, sizeof bytes);
+}
 
 template <typename T, typename Value>
 void write_values(ReplaceFile& file, const Surface& surface, Value&& value) {
@@ -53,7 +56,8 @@ void write_counting(ReplaceFile& file, std::uint64_t count, Index from) {
 
 }  // namespace
 
-void write_cells_vtp(const std::filesystem::path& target, const Surface& surface, std::span<const CellArray> arrays) {
+void write_cells_vtp(const std::filesystem::path& target, const Surface& surface,
+                     std::span<const CellArray> arrays) {
   const std::uint64_t n = surface.owned_count();
   const bool wide = n > static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max());
   const char* index_type = wide ? "Int64" : "Int32";
@@ -69,16 +73,18 @@ void write_cells_vtp(const std::filesystem::path& target, const Surface& surface
   const std::string offsets = layout.array(index_type, "offsets", 1, index_bytes);
 
   ReplaceFile file(target);
-  file.write(fmt::format("<?xml version=\"1.0\"?>\n"
-                         "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
-                         "<PolyData>\n<Piece NumberOfPoints=\"{0}\" NumberOfVerts=\"{0}\" NumberOfLines=\"0\" "
-                         "NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n"
-                         "<PointData>\n{1}</PointData>\n<Points>\n{2}</Points>\n<Verts>\n{3}{4}</Verts>\n"
-                         "</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_",
-                         n, point_data, points, connectivity, offsets));
+  file.write(fmt::format(
+      "<?xml version=\"1.0\"?>\n"
+      "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+      "<PolyData>\n<Piece NumberOfPoints=\"{0}\" NumberOfVerts=\"{0}\" NumberOfLines=\"0\" "
+      "NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n"
+      "<PointData>\n{1}</PointData>\n<Points>\n{2}</Points>\n<Verts>\n{3}{4}</Verts>\n"
+      "</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_",
+      n, point_data, points, connectivity, offsets));
   for (const CellArray& array : arrays)
-    write_values<std::int32_t>(file, surface,
-                               [&](std::uint32_t, std::uint32_t, std::uint32_t slot) { return (*array.values)[slot]; });
+    write_values<std::int32_t>(file, surface, [&](std::uint32_t, std::uint32_t, std::uint32_t slot) {
+      return (*array.values)[slot];
+    });
   write_values<std::int32_t>(file, surface, [](std::uint32_t patch, std::uint32_t, std::uint32_t) {
     return static_cast<std::int32_t>(patch);
   });
@@ -100,7 +106,8 @@ void write_cells_vtp(const std::filesystem::path& target, const Surface& surface
   file.commit();
 }
 
-std::vector<Region> measure_regions(const Surface& surface, const Field<std::int32_t>& labels, std::size_t count) {
+std::vector<Region> measure_regions(const Surface& surface, const Field<std::int32_t>& labels,
+                                    std::size_t count) {
   std::vector<Region> regions(count);
   for (std::uint32_t r = 0; r < surface.rows().size(); ++r) {
     const SlotRun run = surface.owned(r);
@@ -140,13 +147,15 @@ void write_regions_csv(const std::filesystem::path& target, std::span<const Regi
   file.commit();
 }
 
-void write_curve_csv(const std::filesystem::path& target, std::span<const std::uint64_t> changed, std::uint64_t cells) {
+void write_curve_csv(const std::filesystem::path& target, std::span<const std::uint64_t> changed,
+                     std::uint64_t cells) {
   ReplaceFile file(target);
   file.write("step,changed,filled_share\n");
   std::uint64_t filled = 0;
   for (std::size_t step = 0; step < changed.size(); ++step) {
     filled += changed[step];
-    file.write(fmt::format("{},{},{:.9g}\n", step, changed[step], static_cast<double>(filled) / static_cast<double>(cells)));
+    file.write(fmt::format("{},{},{:.9g}\n", step, changed[step],
+                           static_cast<double>(filled) / static_cast<double>(cells)));
   }
   file.commit();
 }

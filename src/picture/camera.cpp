@@ -121,8 +121,8 @@ Camera frame_mesh(const Mesh& mesh, glm::dvec3 direction, const ViewSettings& se
   const double size = std::max(glm::distance(bounds.lower, bounds.upper), 1e-30);
   const double distance =
       std::max({(right + left) / (2.0 * tx), (top + bottom) / (2.0 * ty), front + 0.05 * size});
-  // Along the axis that has room to spare near parts take more of it than far ones: the margins on both sides of the
-  // picture are made equal by bisection, between the limits at which either is used up.
+  // Along the axis that has room to spare near parts take more of it than far ones: the margins on both sides
+  // of the picture are made equal by bisection, between the limits at which either is used up.
   const auto centred = [&](glm::dvec3 axis, double most, double least, double tangent) {
     double low_offset = most - distance * tangent, high_offset = distance * tangent - least;
     for (int step = 0; step < 24; ++step) {

@@ -1,7 +1,7 @@
 // Every band is a quadrilateral with two parallel sides (a triangle at C), cut by walking along both of them
 // from left to right, always over the shorter of the two possible diagonals. A triangle then has two corners
-// on one side and one on the other, so none can be flat. Contour points on the oblique ends belong to the upper
-// side: each is joined to a centre below it, however far the end leans.
+// on one side and one on the other, so none can be flat. Contour points on the oblique ends belong to the
+// upper side: each is joined to a centre below it, however far the end leans.
 #include "verdigris/picture/patch_bands.hpp"
 
 #include <algorithm>
@@ -72,7 +72,8 @@ class BandWriter {
   }
 
  private:
-  // The oblique ends go over to the upper side. Both sides then begin and end in one point: a triangle at each end.
+  // The oblique ends go over to the upper side. Both sides then begin and end in one point: a triangle at
+  // each end.
   void leaning() {
     const std::uint32_t first = lower.front().vertex, last = lower.back().vertex;
     lower.erase(lower.begin());

@@ -57,7 +57,7 @@ void check(const Mesh& mesh, const SurfaceOptions& options) {
           "at most {:.3g} cells",
           clean_size(h), estimate.cells, need / 1e9, memory / 1e9, static_cast<double>(most_slots)),
       fmt::format("use cells of {} model units or larger",
-                               clean_size(std::isfinite(scale) ? h * std::sqrt(scale) : cell_size_for(mesh, 1e8))));
+                  clean_size(std::isfinite(scale) ? h * std::sqrt(scale) : cell_size_for(mesh, 1e8))));
 }
 
 struct PatchSize {
@@ -107,7 +107,8 @@ class SurfaceBuilder {
     const double least_cosine = std::cos(degrees * pi / 180.0) - 1e-9;
     const auto& opposite = surface_.adjacency_->opposite;
     std::vector<glm::dvec3> normals;
-    for (const Frame& frame : surface_.frames_) normals.push_back(frame.cy > 0.0 ? frame.normal() : glm::dvec3(0.0));
+    for (const Frame& frame : surface_.frames_)
+      normals.push_back(frame.cy > 0.0 ? frame.normal() : glm::dvec3(0.0));
     // A triangle of no area lies flat on what it touches with its longest edge, through others like it.
     for (int pass = 0; pass < 8; ++pass)
       for (std::size_t t = 0; t < normals.size(); ++t) {
@@ -305,8 +306,8 @@ SurfaceEstimate estimate_surface(const Mesh& mesh, double cell_size) {
   total.slots = total.cells + ghosts;
   total.bytes = 16.0 * rows + 8.0 * ghosts + 0.25 * total.slots +
                 static_cast<double>(mesh.triangles.size()) * static_cast<double>(sizeof(Frame) + 4);
-  // At its end a run holds states, labels and arrivals, 12 bytes a slot, and a mark; while it is built, a surface holds
-  // its links thrice over.
+  // At its end a run holds states, labels and arrivals, 12 bytes a slot, and a mark; while it is built, a
+  // surface holds its links thrice over.
   total.run_bytes = total.bytes + std::max(12.125 * total.slots, 24.0 * ghosts);
   return total;
 }

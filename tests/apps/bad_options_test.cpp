@@ -22,8 +22,10 @@ class BadOptions : public testing::Test {
 };
 
 TEST_F(BadOptions, CellSizes) {
-  for (const char* size : {"0", "-1", "nan", "inf", "abc", "1 m"}) expect_refused_with({"--cell-size", size}, "--cell-size");
-  for (const char* count : {"0", "-5", "1x", "nan", "many"}) expect_refused_with({"--cells", count}, "--cells");
+  for (const char* size : {"0", "-1", "nan", "inf", "abc", "1 m"})
+    expect_refused_with({"--cell-size", size}, "--cell-size");
+  for (const char* count : {"0", "-5", "1x", "nan", "many"})
+    expect_refused_with({"--cells", count}, "--cells");
   // Too small for memory: the message says which size would do.
   expect_refused_with({"--cell-size", "1e-9"}, "or larger");
   expect_refused_with({"--cell-size", "1e-300"}, "cell size");
@@ -42,7 +44,8 @@ TEST_F(BadOptions, Seeds) {
   expect_refused_with({"--seeds", place_.file("short.txt", "0 0 0\n0 1\n")}, "short.txt:2");
   expect_refused_with({"--seeds", place_.file("nan.txt", "0 0 nan\n")}, "nan.txt:1");
   expect_refused_with({"--seeds", place_.file("weight.txt", "0 0 0 -1\n")}, "weight.txt:1");
-  expect_refused_with({"--cells", "600", "--seeds", place_.file("near.txt", "0.5 0.5 1\n0.5 0.5 1.0001\n")}, "seeds 0 and 1");
+  expect_refused_with({"--cells", "600", "--seeds", place_.file("near.txt", "0.5 0.5 1\n0.5 0.5 1.0001\n")},
+                      "seeds 0 and 1");
   expect_refused_with({"--seed-vertices", "1,1"}, "seeds 0 and 1");
   expect_refused_with({"--seed-vertices", "99"}, "vertex 99");
   expect_refused_with({"--seed-vertices", "one"}, "--seed-vertices");
@@ -53,7 +56,8 @@ TEST_F(BadOptions, Seeds) {
 }
 
 TEST_F(BadOptions, Barriers) {
-  for (const char* angle : {"190", "-1", "steep"}) expect_refused_with({"--barrier-angle", angle}, "--barrier-angle");
+  for (const char* angle : {"190", "-1", "steep"})
+    expect_refused_with({"--barrier-angle", angle}, "--barrier-angle");
   expect_refused_with({"--barrier-mask", place_.path("none.txt")}, "none.txt");
   expect_refused_with({"--barrier-mask", place_.file("words.txt", "0\nno\n")}, "words.txt:2");
   expect_refused_with({"--barrier-mask", place_.file("short.txt", "0\n1\n")}, "short.txt");
@@ -62,10 +66,12 @@ TEST_F(BadOptions, Barriers) {
 
 TEST_F(BadOptions, Values) {
   expect_refused_with({"--links", "chains"}, "links");
-  for (const char* size : {"10", "0x10", "10x", "99999x10", "axb"}) expect_refused_with({"--size", size}, "--size");
+  for (const char* size : {"10", "0x10", "10x", "99999x10", "axb"})
+    expect_refused_with({"--size", size}, "--size");
   for (const char* view : {"sideways", "0,0,0", "1,2"}) expect_refused_with({"--view", view}, "view");
   expect_refused_with({"--up", "w"}, "up");
-  for (const char* chance : {"-0.1", "1.1", "nan", "often"}) expect_refused_with({"--corner", chance}, "corner");
+  for (const char* chance : {"-0.1", "1.1", "nan", "often"})
+    expect_refused_with({"--corner", chance}, "corner");
   // The last one is what a scene file could not hold.
   for (const char* steps : {"0", "-1", "1.5", "18446744073709551615"})
     expect_refused_with({"--steps", steps}, "--steps");
@@ -77,7 +83,8 @@ TEST_F(BadOptions, Values) {
 TEST_F(BadOptions, ThatDoNotExistOrLackTheirValue) {
   expect_refused_with({"--colour"}, "--colour");
   expect_refused_with({"surplus"}, "surplus");
-  for (const char* option : {"--seeds", "--cells", "--steps", "--view"}) expect_refused_with({option}, option);
+  for (const char* option : {"--seeds", "--cells", "--steps", "--view"})
+    expect_refused_with({option}, option);
   for (const Arguments& arguments : {Arguments{}, {"grow"}, {"info"}, {"voronoi"}, {"run"}}) {
     SCOPED_TRACE(arguments.empty() ? "no arguments" : arguments[0]);
     expect_refused(verdigris(arguments), "", out_);

@@ -6,7 +6,8 @@
 namespace {
 
 const char* const good =
-    "[mesh]\nfile = \"cube.obj\"\n\n[surface]\ncells = 600\n\n[seeds]\ncount = 3\n\n[picture]\ndraw = false\n";
+    "[mesh]\nfile = \"cube.obj\"\n\n[surface]\ncells = 600\n\n[seeds]\ncount = 3\n\n[picture]\ndraw = "
+    "false\n";
 
 struct Change {
   const char *what, *by, *place;

@@ -14,7 +14,8 @@ std::vector<T> appended(const std::string& file, const std::string& type, const 
   const std::size_t tag = file.find("<DataArray type=\"" + type + "\" Name=\"" + name + "\"");
   const std::string begin = "<AppendedData encoding=\"raw\">\n_";
   const std::size_t data = file.find(begin);
-  if (tag == std::string::npos || data == std::string::npos) throw std::runtime_error("no " + type + " array " + name);
+  if (tag == std::string::npos || data == std::string::npos)
+    throw std::runtime_error("no " + type + " array " + name);
   const std::size_t offset = file.find("offset=\"", tag) + 8;
   const std::size_t at = data + begin.size() + std::stoull(file.substr(offset));
   std::uint64_t bytes = 0;
@@ -36,11 +37,13 @@ std::size_t CellsFile::nearest(glm::dvec3 point) const {
 
 CellsFile read_cells(const std::filesystem::path& file) {
   const std::string text = content_of(file);
-  CellsFile cells{appended<std::int32_t>(text, "Int32", "label"), appended<std::int32_t>(text, "Int32", "arrival"),
+  CellsFile cells{appended<std::int32_t>(text, "Int32", "label"),
+                  appended<std::int32_t>(text, "Int32", "arrival"),
                   appended<std::int32_t>(text, "Int32", "patch"), appended<double>(text, "Float64", "area"),
                   appended<glm::dvec3>(text, "Float64", "Points")};
   const std::size_t n = cells.points.size();
-  if (n == 0 || cells.label.size() != n || cells.arrival.size() != n || cells.patch.size() != n || cells.area.size() != n)
+  if (n == 0 || cells.label.size() != n || cells.arrival.size() != n || cells.patch.size() != n ||
+      cells.area.size() != n)
     throw std::runtime_error("arrays of different length");
   return cells;
 }

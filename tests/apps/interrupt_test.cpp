@@ -12,13 +12,15 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A run that would take days: each seed has a face of the cube to itself, and the second spreads once in 10^12 steps.
+// A run that would take days: each seed has a face of the cube to itself, and the second spreads once in
+// 10^12 steps.
 TEST(Interrupt, LeavesResultsThatCanBeReadAndRepeated) {
   const Workplace place;
   const std::string seeds = place.file("seeds.txt", "0.5 0.5 1\n0.5 0.5 0 1e-12\n");
-  Running running({"voronoi", place.cube(), "--cells", "600", "--seeds", seeds, "--barrier-angle", "45", "--no-picture",
-                   "--out", place.path("out")});
-  for (int wait = 0; wait < 3000 && !std::filesystem::exists(place.path("out")); ++wait) std::this_thread::sleep_for(10ms);
+  Running running({"voronoi", place.cube(), "--cells", "600", "--seeds", seeds, "--barrier-angle", "45",
+                   "--no-picture", "--out", place.path("out")});
+  for (int wait = 0; wait < 3000 && !std::filesystem::exists(place.path("out")); ++wait)
+    std::this_thread::sleep_for(10ms);
   std::this_thread::sleep_for(500ms);
   ASSERT_FALSE(running.ended());
   running.signal(SIGINT);

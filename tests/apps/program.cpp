@@ -44,7 +44,8 @@ Running::Running(const Arguments& arguments) {
   std::vector<char*> argv{const_cast<char*>(VERDIGRIS_PROGRAM)};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
-  const std::string out = place_.path("out").string(), err = place_.path("err").string();
+  // Made here, so that they are there even when the child is killed before it begins.
+  const std::string out = place_.file("out", ""), err = place_.file("err", "");
   pid_ = ::fork();
   if (pid_ != 0) return;
   const auto redirect = [](const char* file, int flags, int to) { ::dup2(::open(file, flags, 0600), to); };
@@ -55,7 +56,9 @@ Running::Running(const Arguments& arguments) {
   ::_exit(127);
 }
 
-void Running::signal(int number) const { ::kill(pid_, number); }
+void Running::signal(int number) const {
+  ::kill(pid_, number);
+}
 
 bool Running::ended() {
   if (pid_ > 0 && ::waitpid(pid_, &state_, WNOHANG) == pid_) pid_ = 0;
@@ -69,14 +72,17 @@ Outcome Running::wait() {
           content_of(place_.path("err"))};
 }
 
-Outcome verdigris(const Arguments& arguments) { return Running(arguments).wait(); }
+Outcome verdigris(const Arguments& arguments) {
+  return Running(arguments).wait();
+}
 
 void expect_refused(const Outcome& outcome, const std::string& place, const fs::path& out) {
   EXPECT_EQ(outcome.status, 2) << outcome.err;
   EXPECT_EQ(outcome.out, "");
   EXPECT_NE(outcome.err.find(place), std::string::npos) << "'" << place << "' is not in:\n" << outcome.err;
   // Misused options are answered by the option parser, whose remedy is the help.
-  EXPECT_TRUE(outcome.err.find("remedy: ") != std::string::npos || outcome.err.find("--help") != std::string::npos)
+  EXPECT_TRUE(outcome.err.find("remedy: ") != std::string::npos ||
+              outcome.err.find("--help") != std::string::npos)
       << outcome.err;
   EXPECT_TRUE(!fs::is_directory(out) || fs::is_empty(out)) << "left something in " << out;
   fs::remove_all(out);

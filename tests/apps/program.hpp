@@ -30,7 +30,7 @@ std::string content_of(const std::filesystem::path& file);
 using Arguments = std::vector<std::string>;
 
 struct Outcome {
-  int status = -1;        ///< exit status; 128 + signal when one ended it
+  int status = -1;  ///< exit status; 128 + signal when one ended it
   std::string out, err;
 };
 
@@ -51,6 +51,6 @@ class Running {
   int state_ = 0;
 };
 
-/// Fails unless the program refused its input as it should: status 2, nothing on standard output, on standard error
-/// `place` and a remedy, no file in `out`.
+/// Fails unless the program refused its input as it should: status 2, nothing on standard output, on standard
+/// error `place` and a remedy, no file in `out`.
 void expect_refused(const Outcome& outcome, const std::string& place, const std::filesystem::path& out);

@@ -10,8 +10,12 @@
 namespace {
 
 TEST(Report, HelpOfEveryCommand) {
-  for (const Arguments& arguments :
-       {Arguments{"--help"}, {"--version"}, {"info", "--help"}, {"voronoi", "--help"}, {"run", "--help"}, {"list", "--help"}}) {
+  for (const Arguments& arguments : {Arguments{"--help"},
+                                     {"--version"},
+                                     {"info", "--help"},
+                                     {"voronoi", "--help"},
+                                     {"run", "--help"},
+                                     {"list", "--help"}}) {
     const Outcome outcome = verdigris(arguments);
     EXPECT_EQ(outcome.status, 0) << arguments[0];
     EXPECT_FALSE(outcome.out.empty()) << arguments[0];
@@ -44,8 +48,8 @@ TEST(Report, JsonOfInfo) {
 
 TEST(Report, JsonOfARunAndOfItsRepetition) {
   const Workplace place;
-  const auto report = json_of({"voronoi", place.cube(), "--cells", "6k", "--seeds", "5", "--no-picture", "--json", "--out",
-                               place.path("out")});
+  const auto report = json_of({"voronoi", place.cube(), "--cells", "6k", "--seeds", "5", "--no-picture",
+                               "--json", "--out", place.path("out")});
   const CellsFile cells = read_cells(place.path("out/cells.vtp"));
   EXPECT_EQ(report["cells"], cells.points.size());
   EXPECT_EQ(report["seeds"], 5);
@@ -68,8 +72,8 @@ TEST(Report, JsonOfList) {
 
 TEST(Report, QuietSaysNothing) {
   const Workplace place;
-  const Outcome outcome = verdigris({"voronoi", place.cube(), "--cells", "600", "--seeds", "2", "--no-picture", "--quiet",
-                                     "--out", place.path("out")});
+  const Outcome outcome = verdigris({"voronoi", place.cube(), "--cells", "600", "--seeds", "2",
+                                     "--no-picture", "--quiet", "--out", place.path("out")});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.out + outcome.err, "");
 }
@@ -77,7 +81,10 @@ TEST(Report, QuietSaysNothing) {
 // Tables agree with each other and with the cells.
 TEST(Report, TablesAddUp) {
   const Workplace place;
-  ASSERT_EQ(verdigris({"voronoi", place.cube(), "--cells", "6k", "--seeds", "5", "--no-picture", "--out", place.path("out")}).status, 0);
+  ASSERT_EQ(verdigris({"voronoi", place.cube(), "--cells", "6k", "--seeds", "5", "--no-picture", "--out",
+                       place.path("out")})
+                .status,
+            0);
   const CellsFile cells = read_cells(place.path("out/cells.vtp"));
   const double n = static_cast<double>(cells.label.size());
   double counted = 0.0, share = 0.0;
@@ -85,7 +92,8 @@ TEST(Report, TablesAddUp) {
     counted += row[4];
     share += row[6];
     EXPECT_NEAR(row[5], row[4] * cells.area[0], 1e-6);
-    EXPECT_EQ(row[4], static_cast<double>(std::count(cells.label.begin(), cells.label.end(), static_cast<std::int32_t>(row[0]))));
+    EXPECT_EQ(row[4], static_cast<double>(std::count(cells.label.begin(), cells.label.end(),
+                                                     static_cast<std::int32_t>(row[0]))));
   }
   EXPECT_EQ(counted, n);
   EXPECT_NEAR(share, 1.0, 1e-7);
@@ -93,7 +101,8 @@ TEST(Report, TablesAddUp) {
   double filled = 0.0;
   for (std::size_t step = 0; step < curve.size(); ++step) {
     EXPECT_EQ(curve[step][0], static_cast<double>(step));
-    EXPECT_EQ(curve[step][1], static_cast<double>(std::count(cells.arrival.begin(), cells.arrival.end(), static_cast<std::int32_t>(step))));
+    EXPECT_EQ(curve[step][1], static_cast<double>(std::count(cells.arrival.begin(), cells.arrival.end(),
+                                                             static_cast<std::int32_t>(step))));
     filled += curve[step][1];
     EXPECT_NEAR(curve[step][2], filled / n, 1e-8);
   }

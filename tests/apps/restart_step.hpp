@@ -1,5 +1,6 @@
 #pragma once
-// The step a checkpoint stands at. Apart from program.hpp, whose function has the name of the library's namespace.
+// The step a checkpoint stands at. Apart from program.hpp, whose function has the name of the library's
+// namespace.
 
 #include <cstdint>
 #include <filesystem>

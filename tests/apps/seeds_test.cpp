@@ -30,12 +30,14 @@ void expect_starts_at(const Workplace& place, const CellsFile& cells, const std:
     EXPECT_EQ(cells.label[cell], static_cast<std::int32_t>(k));
     EXPECT_EQ(cells.arrival[cell], 0);
   }
-  EXPECT_EQ(std::count(cells.arrival.begin(), cells.arrival.end(), 0), static_cast<std::ptrdiff_t>(points.size()));
+  EXPECT_EQ(std::count(cells.arrival.begin(), cells.arrival.end(), 0),
+            static_cast<std::ptrdiff_t>(points.size()));
 }
 
 TEST(Seeds, LineOfAFileIsLabel) {
   const Workplace place;
-  const std::string seeds = place.file("seeds.txt", "# x y z\n0.3 0.4 1\n1, 0.7, 0.2\n\n0.25\t0.5 0  # below\n");
+  const std::string seeds =
+      place.file("seeds.txt", "# x y z\n0.3 0.4 1\n1, 0.7, 0.2\n\n0.25\t0.5 0  # below\n");
   const CellsFile cells = grow(place, {"--seeds", seeds});
   expect_starts_at(place, cells, {{0.3, 0.4, 1.0}, {1.0, 0.7, 0.2}, {0.25, 0.5, 0.0}});
 }
@@ -49,8 +51,8 @@ TEST(Seeds, VerticesCountFromZero) {
 TEST(Seeds, PointsOffTheSurfaceAreMovedThereWithAWarning) {
   const Workplace place;
   const std::string seeds = place.file("seeds.txt", "0.5 0.5 3\n");
-  const Outcome outcome = verdigris({"voronoi", place.cube(), "--cells", "600", "--seeds", seeds, "--no-picture", "--out",
-                                     place.path("out")});
+  const Outcome outcome = verdigris({"voronoi", place.cube(), "--cells", "600", "--seeds", seeds,
+                                     "--no-picture", "--out", place.path("out")});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_NE(outcome.err.find("warning"), std::string::npos) << outcome.err;
   EXPECT_NEAR(read_table(place.path("out/regions.csv"))[0][3], 1.0, 1e-9);
@@ -61,7 +63,8 @@ TEST(Seeds, FromOneSeedEveryCellIsReached) {
   for (const char* links : {"unfolded", "projected"}) {
     SCOPED_TRACE(links);
     const CellsFile cells = grow(place, {"--seeds", "1", "--links", links});
-    EXPECT_EQ(std::count(cells.label.begin(), cells.label.end(), 0), static_cast<std::ptrdiff_t>(cells.label.size()));
+    EXPECT_EQ(std::count(cells.label.begin(), cells.label.end(), 0),
+              static_cast<std::ptrdiff_t>(cells.label.size()));
   }
 }
 
@@ -84,7 +87,8 @@ TEST(Seeds, StepsLimitGrowth) {
   const CellsFile cells = grow(place, {"--seeds", place.file("seeds.txt", "0.5 0.5 1\n"), "--steps", "5"});
   EXPECT_EQ(*std::max_element(cells.arrival.begin(), cells.arrival.end()), 5);
   EXPECT_GT(std::count(cells.label.begin(), cells.label.end(), -1), 0);
-  for (std::size_t k = 0; k < cells.label.size(); ++k) ASSERT_EQ(cells.label[k] == -1, cells.arrival[k] == -1);
+  for (std::size_t k = 0; k < cells.label.size(); ++k)
+    ASSERT_EQ(cells.label[k] == -1, cells.arrival[k] == -1);
   EXPECT_EQ(read_table(place.path("out/curve.csv")).size(), 6u);
 }
 

@@ -138,10 +138,16 @@ TEST(Voronoi, RandomSeedsAreUniformByArea) {
 // A flat square whose halves are joined through a triangle of no area, turned by some angles.
 Mesh square_with_filler(double turn) {
   Mesh m{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0}},
-         {{0, 1, 2}, {0, 2, 4}, {0, 4, 3}, {4, 2, 3}}, {}, {}, {}, {}};
+         {{0, 1, 2}, {0, 2, 4}, {0, 4, 3}, {4, 2, 3}},
+         {},
+         {},
+         {},
+         {}};
   for (glm::dvec3& p : m.positions) {
-    const glm::dvec3 q(std::cos(turn) * p.x - std::sin(turn) * p.y, std::sin(turn) * p.x + std::cos(turn) * p.y, p.z);
-    p = {q.x, std::cos(2 * turn) * q.y - std::sin(2 * turn) * q.z, std::sin(2 * turn) * q.y + std::cos(2 * turn) * q.z};
+    const glm::dvec3 q(std::cos(turn) * p.x - std::sin(turn) * p.y,
+                       std::sin(turn) * p.x + std::cos(turn) * p.y, p.z);
+    p = {q.x, std::cos(2 * turn) * q.y - std::sin(2 * turn) * q.z,
+         std::sin(2 * turn) * q.y + std::cos(2 * turn) * q.z};
   }
   return m;
 }
@@ -175,7 +181,8 @@ TEST(Voronoi, WithoutCornersItStillEnds) {
 
 TEST(Voronoi, ProjectedPairsTakeLinearTimeWhereTrianglesAreSmallerThanCells) {
   // 57,600 triangles of about a cell each: a turn passes many of them, and visits none again and again.
-  const Surface s = make_surface(shapes::torus(3, 1, 240, 120), {.cell_size = 0.045, .links = LinkKind::projected});
+  const Surface s =
+      make_surface(shapes::torus(3, 1, 240, 120), {.cell_size = 0.045, .links = LinkKind::projected});
   VoronoiGrowth growth({s, 1, random_seeds(s, 5, 1), {}}, {});
   std::uint64_t changed = 0;
   while (!growth.finished()) changed += growth.step().changed;

@@ -21,10 +21,10 @@ struct Seed {
 
 /// What a simulation starts from, beside its parameters.
 struct SimulationSetup {
-  const Surface& surface;                   ///< must outlive the simulation
-  std::uint64_t seed = 1;                   ///< of the random numbers
-  std::vector<Seed> seeds;                  ///< for behaviours that grow from seeds
-  Field<std::uint8_t> barrier;              ///< [slot] 1 where growth must not go; empty: nowhere
+  const Surface& surface;       ///< must outlive the simulation
+  std::uint64_t seed = 1;       ///< of the random numbers
+  std::vector<Seed> seeds;      ///< for behaviours that grow from seeds
+  Field<std::uint8_t> barrier;  ///< [slot] 1 where growth must not go; empty: nowhere
 };
 
 /// One behaviour of the catalogue.
@@ -48,7 +48,8 @@ class Catalogue {
   void add() {
     add({B::name, B::summary, false, describe_parameters<B>(),
          [](const SimulationSetup& setup, const ParameterValues& values) -> std::unique_ptr<AnySimulation> {
-           return std::make_unique<RuleSimulation<B>>(setup.surface, with_parameters<B>(B::name, values), setup.seed);
+           return std::make_unique<RuleSimulation<B>>(setup.surface, with_parameters<B>(B::name, values),
+                                                      setup.seed);
          }});
   }
 

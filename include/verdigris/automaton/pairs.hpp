@@ -19,9 +19,9 @@ using Merges = std::vector<std::pair<std::uint32_t, State>>;
 
 /// What cells become when the pairs of `sources` are made common; ascending by slot, only those that change.
 ///
-/// In a triangle narrower than a cell, a cell that takes a state hands it on in the same turn over the other edges, not
-/// back over the one it came by: such a triangle is passed at once, which is what Fig. 9 of the paper warns of. Only
-/// states from before the turn decide who takes what; the order of pairs cannot matter.
+/// In a triangle narrower than a cell, a cell that takes a state hands it on in the same turn over the other
+/// edges, not back over the one it came by: such a triangle is passed at once, which is what Fig. 9 of the
+/// paper warns of. Only states from before the turn decide who takes what; the order of pairs cannot matter.
 template <MergingBehaviour B, typename Slots>
 Merges<typename B::State> merge_pairs(const Surface& surface, const B& behaviour,
                                       const Field<typename B::State>& state, const Slots& sources) {

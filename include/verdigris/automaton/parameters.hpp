@@ -1,5 +1,6 @@
 #pragma once
-// Parameters that describe themselves: one declaration beside the value gives help, ranges, options and scene keys.
+// Parameters that describe themselves: one declaration beside the value gives help, ranges, options and scene
+// keys.
 
 #include <cstdint>
 #include <string>
@@ -23,15 +24,19 @@ struct ParameterInfo {
 /// Values given by name; what is not named keeps its default.
 using ParameterValues = std::vector<std::pair<std::string, double>>;
 
-/// Throws InputError when a name is not among `known`, or a value is outside its range or not whole where it must be.
-void check_parameters(std::string_view behaviour, const std::vector<ParameterInfo>& known, const ParameterValues& values);
+/// Throws InputError when a name is not among `known`, or a value is outside its range or not whole where it
+/// must be.
+void check_parameters(std::string_view behaviour, const std::vector<ParameterInfo>& known,
+                      const ParameterValues& values);
 
 namespace detail {
 struct ParameterLister {
   std::vector<ParameterInfo>& list;
   template <typename T>
-  void operator()(const char* name, T& value, double least, double greatest, const char* unit, const char* help) const {
-    list.push_back({name, static_cast<double>(value), least, greatest, !std::is_floating_point_v<T>, unit, help});
+  void operator()(const char* name, T& value, double least, double greatest, const char* unit,
+                  const char* help) const {
+    list.push_back(
+        {name, static_cast<double>(value), least, greatest, !std::is_floating_point_v<T>, unit, help});
   }
 };
 struct ParameterSetter {
@@ -44,8 +49,8 @@ struct ParameterSetter {
 };
 }  // namespace detail
 
-/// A type with `template <typename V> void parameters(V&& v)` that calls v(name, member, least, greatest, unit, help) for
-/// each of its parameters.
+/// A type with `template <typename V> void parameters(V&& v)` that calls v(name, member, least, greatest,
+/// unit, help) for each of its parameters.
 template <typename T>
 std::vector<ParameterInfo> describe_parameters() {
   std::vector<ParameterInfo> list;

@@ -29,7 +29,8 @@ struct VoronoiRule {
   static constexpr Word empty = std::numeric_limits<Word>::max();
   static constexpr Word blocked = empty - 1;  ///< a barrier: never filled
   static constexpr bool stamped = true;
-  /// Without a chance at corners a cell beside a filled corner does not wait: such steps are done in two passes.
+  /// Without a chance at corners a cell beside a filled corner does not wait: such steps are done in two
+  /// passes.
   bool in_place() const { return corner_threshold > 0; }
   static constexpr std::uint32_t corner_purpose = 0x564f5201, tie_purpose = 0x564f5202;
 
@@ -86,9 +87,11 @@ struct VoronoiRule {
     const Word least = std::min(std::min(left, right), std::min(below, above));
     if (spreads(least)) {
       const Word label = least & label_mask();
-      // Whole numbers, not conditions: one branch for all four sides, and nearly always all filled ones are of one label.
+      // Whole numbers, not conditions: one branch for all four sides, and nearly always all filled ones are
+      // of one label.
       const auto other = [&](Word w) { return unsigned{spreads(w)} & unsigned{(w & label_mask()) != label}; };
-      if (speed.empty() && (other(left) | other(right) | other(below) | other(above)) == 0) return now | label;
+      if (speed.empty() && (other(left) | other(right) | other(below) | other(above)) == 0)
+        return now | label;
       const Word winner = choose({left, right, below, above}, random);
       if (winner != empty) return now | winner;
     }

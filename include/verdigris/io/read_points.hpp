@@ -14,8 +14,9 @@ struct WeightedPoint {
   double weight = 1.0;
 };
 
-/// Reads `x y z` or `x y z weight` a line (blanks, commas or tabs between; `#` begins a comment). Throws InputError with
-/// file and line for anything else, for numbers that are not finite, and for a file without points.
+/// Reads `x y z` or `x y z weight` a line (blanks, commas or tabs between; `#` begins a comment). Throws
+/// InputError with file and line for anything else, for numbers that are not finite, and for a file without
+/// points.
 std::vector<WeightedPoint> read_points(const std::filesystem::path& file);
 
 /// Reads one number a line; as strict.

@@ -1,5 +1,6 @@
 #pragma once
-// An experiment as data: one TOML file says mesh, cells, behaviour, seeds and picture; it can be kept, shared, replayed.
+// An experiment as data: one TOML file says mesh, cells, behaviour, seeds and picture; it can be kept,
+// shared, replayed.
 
 #include <cstdint>
 #include <filesystem>
@@ -15,18 +16,18 @@ namespace verdigris {
 
 /// Where growth starts. One way of giving seeds at a time.
 struct SeedPlan {
-  std::uint64_t count = 0;                 ///< that many at random, uniform by area
-  std::vector<WeightedPoint> points;       ///< label k starts at the cell nearest to points[k]
-  std::vector<std::uint32_t> vertices;     ///< label k starts at this vertex, counted from 0 in file order
-  std::vector<double> weights;             ///< speed of label k, for `count` and `vertices`; empty: all 1
+  std::uint64_t count = 0;              ///< that many at random, uniform by area
+  std::vector<WeightedPoint> points;    ///< label k starts at the cell nearest to points[k]
+  std::vector<std::uint32_t> vertices;  ///< label k starts at this vertex, counted from 0 in file order
+  std::vector<double> weights;          ///< speed of label k, for `count` and `vertices`; empty: all 1
 };
 
 /// Where growth must not go.
 struct BarrierPlan {
-  double angle = 181.0;             ///< degrees; growth does not cross edges whose faces turn by more
-  std::filesystem::path mask;       ///< numbers, one for each vertex or face of the file; empty: none
-  std::string mask_on;              ///< "vertices" or "faces"; empty: told by how many numbers there are
-  double threshold = 0.5;           ///< cells whose mask is at least this are not covered
+  double angle = 181.0;        ///< degrees; growth does not cross edges whose faces turn by more
+  std::filesystem::path mask;  ///< numbers, one for each vertex or face of the file; empty: none
+  std::string mask_on;         ///< "vertices" or "faces"; empty: told by how many numbers there are
+  double threshold = 0.5;      ///< cells whose mask is at least this are not covered
 };
 
 /// What to draw.
@@ -41,26 +42,27 @@ struct PicturePlan {
 /// Everything a run depends on. Read, run and written again it gives the same result to the bit.
 struct Scene {
   std::filesystem::path mesh;
-  std::string mesh_hash;            ///< expected mesh_hash(); empty: any
+  std::string mesh_hash;  ///< expected mesh_hash(); empty: any
   bool mend = false;
-  double cells = 1e6;               ///< target count of cells, when cell_size is 0
-  double cell_size = 0.0;           ///< model units
+  double cells = 1e6;      ///< target count of cells, when cell_size is 0
+  double cell_size = 0.0;  ///< model units
   LinkKind links = LinkKind::unfolded;
   std::string behaviour = "voronoi";
   ParameterValues parameters;
   SeedPlan seeds;
   BarrierPlan barrier;
   std::uint64_t seed = 1;
-  std::uint64_t steps = 0;          ///< 0: until nothing can change
+  std::uint64_t steps = 0;  ///< 0: until nothing can change
   PicturePlan picture;
 };
 
-/// Reads a scene; paths in it are relative to the file. Throws InputError with file and line for TOML that does not
-/// parse, tables or keys that do not exist, values of the wrong type or out of range, and seeds given in two ways.
+/// Reads a scene; paths in it are relative to the file. Throws InputError with file and line for TOML that
+/// does not parse, tables or keys that do not exist, values of the wrong type or out of range, and seeds
+/// given in two ways.
 Scene read_scene(const std::filesystem::path& file);
 
-/// Writes a scene with every value spelled out, so that read_scene gives back the same. Paths are written relative to the
-/// file's directory where they can be.
+/// Writes a scene with every value spelled out, so that read_scene gives back the same. Paths are written
+/// relative to the file's directory where they can be.
 void write_scene(const std::filesystem::path& file, const Scene& scene);
 
 /// "unfolded" or "projected"; InputError otherwise.

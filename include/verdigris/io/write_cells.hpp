@@ -18,11 +18,13 @@ struct CellArray {
   const Field<std::int32_t>* values;
 };
 
-/// Writes the owned (COMP-IN) cell centres as points, in slot order, each with a vertex cell, as VTK XML PolyData
-/// (.vtp, appended raw data, UInt64 headers). Point data: the given arrays and `patch` as int32, `area` in model
-/// units squared as float64. No time stamp: equal input, equal bytes. Streams; needs no memory beyond a few rows.
-/// Throws InputError when the file cannot be written.
-void write_cells_vtp(const std::filesystem::path& file, const Surface& surface, std::span<const CellArray> arrays);
+/// Writes the owned (COMP-IN) cell centres as points, in slot order, each with a vertex cell, as VTK XML
+/// PolyData
+/// (.vtp, appended raw data, UInt64 headers). Point data: the given arrays and `patch` as int32, `area` in
+/// model units squared as float64. No time stamp: equal input, equal bytes. Streams; needs no memory beyond a
+/// few rows. Throws InputError when the file cannot be written.
+void write_cells_vtp(const std::filesystem::path& file, const Surface& surface,
+                     std::span<const CellArray> arrays);
 
 /// Sizes of the regions of a partition.
 struct Region {
@@ -32,7 +34,8 @@ struct Region {
 };
 
 /// [label] regions of `labels`, for labels 0..count-1; cells of label -1 belong to none.
-std::vector<Region> measure_regions(const Surface& surface, const Field<std::int32_t>& labels, std::size_t count);
+std::vector<Region> measure_regions(const Surface& surface, const Field<std::int32_t>& labels,
+                                    std::size_t count);
 
 /// [step] owned cells reached in that step; index 0 are the seeds. Cells of arrival -1 are left out.
 std::vector<std::uint64_t> arrival_curve(const Surface& surface, const Field<std::int32_t>& arrivals);
@@ -42,6 +45,7 @@ void write_regions_csv(const std::filesystem::path& file, std::span<const Region
                        std::span<const glm::dvec3> seed_positions);
 
 /// curve.csv: `step,changed,filled_share`, a row for each step from 0: Fig. 16 of Gobron & Chiba 1999.
-void write_curve_csv(const std::filesystem::path& file, std::span<const std::uint64_t> changed, std::uint64_t cells);
+void write_curve_csv(const std::filesystem::path& file, std::span<const std::uint64_t> changed,
+                     std::uint64_t cells);
 
 }  // namespace verdigris

@@ -19,12 +19,13 @@ enum class EdgeKind : std::uint8_t {
 /// Half-edge `3 * triangle + k` runs from corner k to corner k + 1 (mod 3) of its triangle.
 struct Adjacency {
   static constexpr std::uint32_t none = 0xFFFFFFFFu;
-  std::vector<std::uint32_t> opposite; ///< [half-edge] -> half-edge of the triangle across, or none
-  std::vector<EdgeKind> kind;          ///< [half-edge]
+  std::vector<std::uint32_t> opposite;  ///< [half-edge] -> half-edge of the triangle across, or none
+  std::vector<EdgeKind> kind;           ///< [half-edge]
 };
 
-/// Links every edge that has exactly two triangles of opposite direction. All others are cut: a link that would
-/// have to be guessed is never made. Linear in the number of triangles; the same result in any thread count.
+/// Links every edge that has exactly two triangles of opposite direction. All others are cut: a link that
+/// would have to be guessed is never made. Linear in the number of triangles; the same result in any thread
+/// count.
 Adjacency make_adjacency(const Mesh& mesh);
 
 }  // namespace verdigris

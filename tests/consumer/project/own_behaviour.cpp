@@ -32,7 +32,8 @@ static void expect(bool holds, const char* what) {
 }
 
 // The cells that are 1 after twenty steps, and whether each step changed fewer cells than the first.
-static std::size_t ones_after_twenty(const Catalogue& catalogue, const Surface& surface, double share, std::uint64_t& first) {
+static std::size_t ones_after_twenty(const Catalogue& catalogue, const Surface& surface, double share,
+                                     std::uint64_t& first) {
   const auto simulation = catalogue.find("majority").create({surface, 7, {}, {}}, {{"share", share}});
   first = simulation->step().changed;
   while (simulation->steps() < 20) expect(simulation->step().changed <= first, "the first step changes most");
@@ -46,12 +47,14 @@ static std::size_t ones_after_twenty(const Catalogue& catalogue, const Surface& 
 int main() {
   Catalogue catalogue = builtin_catalogue();
   catalogue.add<Majority>();
-  expect(catalogue.entries().size() > 1 && catalogue.find("majority").parameters.at(0).name == "share", "it is listed");
+  expect(catalogue.entries().size() > 1 && catalogue.find("majority").parameters.at(0).name == "share",
+         "it is listed");
 
   const Mesh mesh = read_mesh("bunny.obj");
   const Surface surface = make_surface(mesh, {.cell_size = cell_size_for(mesh, 20000)});
   std::uint64_t changed = 0;
-  expect(ones_after_twenty(catalogue, surface, 1.0, changed) == surface.owned_count() && changed == 0, "all stay 1");
+  expect(ones_after_twenty(catalogue, surface, 1.0, changed) == surface.owned_count() && changed == 0,
+         "all stay 1");
   expect(ones_after_twenty(catalogue, surface, 0.0, changed) == 0 && changed == 0, "all stay 0");
   const std::size_t few = ones_after_twenty(catalogue, surface, 0.3, changed);
   const std::size_t many = ones_after_twenty(catalogue, surface, 0.7, changed);

@@ -18,12 +18,14 @@ int main() {
   ViewSettings settings;
   settings.width = 320;
   settings.height = 240;
-  const Image image = render(surface, colour_labels(surface, labels, label_colours(surface, labels)), frame_mesh(mesh, "iso", settings));
+  const Image image = render(surface, colour_labels(surface, labels, label_colours(surface, labels)),
+                             frame_mesh(mesh, "iso", settings));
   write_png(image, "picture.png");
 
   // Regions, light and background: many colours.
   std::set<std::uint32_t> colours;
   for (std::size_t k = 0; k < image.rgba.size(); k += 4)
-    colours.insert(static_cast<std::uint32_t>(image.rgba[k] << 16 | image.rgba[k + 1] << 8 | image.rgba[k + 2]));
+    colours.insert(
+        static_cast<std::uint32_t>(image.rgba[k] << 16 | image.rgba[k + 1] << 8 | image.rgba[k + 2]));
   return colours.size() > 100 ? 0 : 1;
 }
