@@ -17,7 +17,10 @@ struct Ratio {
   double mean = 0.0, spread = 0.0;
 };
 
-// Over cells 10 to `radius` from the seed, mean of `runs` triangulations.
+// Nearer to the seed, whole steps over short distances scatter more than any triangulation does.
+constexpr double nearest = 30.0;  // cells
+
+// Over cells `nearest` to `radius` from the seed, mean of `runs` triangulations.
 Ratio arrival_over_distance(double side, LinkKind links, double radius, unsigned runs) {
   Ratio ratio;
   for (unsigned run = 1; run <= runs; ++run) {
@@ -32,7 +35,7 @@ Ratio arrival_over_distance(double side, LinkKind links, double radius, unsigned
     double sum = 0.0, squares = 0.0, count = 0.0;
     for_owned(s, [&](std::uint32_t slot) {
       const double distance = glm::length(s.position(slot) - centre);
-      if (distance < 10.0 || distance > radius || arrivals[slot] < 0) return;
+      if (distance < nearest || distance > radius || arrivals[slot] < 0) return;
       const double q = arrivals[slot] / distance;
       sum += q;
       squares += q * q;
@@ -59,9 +62,9 @@ TEST(LongLinksTable, UnfoldedIsAsGoodAsMeasuredAndBetterThanProjected) {
     std::printf("  %-4.0f   %.3f (%.3f)   %.3f (%.3f)\n", m.side, projected.mean, projected.spread,
                 unfolded.mean, unfolded.spread);
     EXPECT_LT(std::abs(unfolded.mean - flat.mean), std::abs(projected.mean - flat.mean)) << m.side;
-    // Runs of one triangulation differ by 0.003.
-    EXPECT_GT(unfolded.mean, m.mean - 0.004) << m.side;
-    EXPECT_LT(unfolded.spread, 0.016) << m.side;
+    // What was measured is one run each; runs of one triangulation differ by 0.003 in both.
+    EXPECT_GT(unfolded.mean, m.mean - 0.003) << m.side;
+    EXPECT_LT(unfolded.spread, m.spread + 0.004) << m.side;
   }
 }
 
