@@ -65,7 +65,7 @@ TEST(Disc, FillsTheIdealDisc) {
   EXPECT_LE(seventy.spread, 0.02);
   EXPECT_NEAR(seventy.spread, 0.016, 0.01);
   EXPECT_NEAR(far.filled, 1.000, 0.01);
-  EXPECT_NEAR(far.spread, 0.010, 0.01);
+  EXPECT_NEAR(far.spread, 0.010, 0.003);  // a perfect circle is as wrong as a rough one
 }
 
 TEST(Disc, OtherCornerChancesAreWorse) {

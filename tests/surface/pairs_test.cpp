@@ -4,6 +4,7 @@
 #include <set>
 
 #include "shapes.hpp"
+#include "verdigris/io/read_mesh.hpp"
 #include "verdigris/surface/surface.hpp"
 
 using namespace verdigris;
@@ -27,6 +28,17 @@ TEST(Pairs, AreSymmetric) {
       EXPECT_EQ(pairs.count({b, a}), 1u);
       EXPECT_NE(s.cell(a).patch, s.cell(b).patch);
     }
+  }
+}
+
+TEST(Pairs, AreSymmetricOnModels) {
+  for (const char* name : {"cup", "terrain", "cylinder"}) {
+    const Mesh mesh = read_mesh(std::string(VERDIGRIS_MESHES) + "/" + name + ".obj");
+    const Surface s =
+        make_surface(mesh, {.cell_size = cell_size_for(mesh, 5e4), .links = LinkKind::projected});
+    const auto pairs = pairs_of(s);
+    EXPECT_FALSE(pairs.empty()) << name;
+    for (const auto& [a, b] : pairs) ASSERT_EQ(pairs.count({b, a}), 1u) << name;
   }
 }
 
