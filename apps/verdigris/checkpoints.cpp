@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "progress.hpp"
+#include "verdigris/base/error.hpp"
 #include "verdigris/io/checkpoint_file.hpp"
-#include "verdigris/mesh/error.hpp"
 
 using namespace verdigris;
 

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "options.hpp"
+#include "verdigris/base/error.hpp"
 #include "verdigris/io/read_mesh.hpp"
 #include "verdigris/mesh/adjacency.hpp"
-#include "verdigris/mesh/error.hpp"
 #include "verdigris/mesh/mend.hpp"
 #include "verdigris/mesh/report.hpp"
 #include "verdigris/surface/surface.hpp"

@@ -15,13 +15,13 @@
 #include "checkpoints.hpp"
 #include "picture.hpp"
 #include "progress.hpp"
+#include "verdigris/base/error.hpp"
 #include "verdigris/behaviours/builtin.hpp"
 #include "verdigris/behaviours/voronoi_growth.hpp"
 #include "verdigris/exposure/mesh_values.hpp"
 #include "verdigris/io/read_mesh.hpp"
 #include "verdigris/io/replace_file.hpp"
 #include "verdigris/io/write_cells.hpp"
-#include "verdigris/mesh/error.hpp"
 #include "verdigris/mesh/mend.hpp"
 
 using namespace verdigris;

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 using verdigris::InputError;
 using verdigris::Scene;

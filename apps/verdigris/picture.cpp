@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 #ifdef VERDIGRIS_WITH_GL
 #include "verdigris/gl/renderer.hpp"

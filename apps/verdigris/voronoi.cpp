@@ -8,8 +8,8 @@
 #include <memory>
 
 #include "job.hpp"
+#include "verdigris/base/error.hpp"
 #include "verdigris/behaviours/voronoi_growth.hpp"
-#include "verdigris/mesh/error.hpp"
 
 using namespace verdigris;
 
@@ -72,7 +72,7 @@ void add_voronoi(CLI::App& app, int& status) {
   for (const ParameterInfo& p : describe_parameters<VoronoiParameters>())
     command
         ->add_option("--" + p.name, options->parameters[p.name],
-                     fmt::format("{} (default {:.4g})", p.help, p.default_value))
+                     fmt::format("{} (default {:.4g})", p.help, std::get<double>(p.default_value)))
         ->type_name("X");
   command
       ->add_option("--barrier-angle", scene.barrier.angle,
@@ -109,8 +109,9 @@ void add_voronoi(CLI::App& app, int& status) {
     plan.mesh = options->mesh;
     plan.barrier.mask = options->mask;
     for (const ParameterInfo& p : describe_parameters<VoronoiParameters>())
-      plan.parameters.emplace_back(
-          p.name, command->count("--" + p.name) > 0 ? options->parameters[p.name] : p.default_value);
+      plan.parameters.emplace_back(p.name, command->count("--" + p.name) > 0
+                                               ? ParameterValue(options->parameters[p.name])
+                                               : p.default_value);
     for (const double value : {plan.barrier.angle, plan.barrier.threshold})
       if (!std::isfinite(value))
         throw InputError("--barrier-angle, --barrier-threshold", fmt::format("{} is not a number", value),

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 namespace verdigris {
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <span>
 
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 namespace verdigris {
 
@@ -80,10 +80,10 @@ RunIdentity identity_of(const BehaviourEntry& behaviour, const SimulationSetup& 
                        {"links", surface.link_kind() == LinkKind::unfolded ? "unfolded" : "projected"},
                        {"behaviour", behaviour.name}};
   for (const ParameterInfo& parameter : behaviour.parameters) {
-    double value = parameter.default_value;
+    ParameterValue value = parameter.default_value;
     for (const auto& [name, given] : values)
       if (name == parameter.name) value = given;
-    identity.emplace_back("parameter " + parameter.name, fmt::format("{}", value));
+    identity.emplace_back("parameter " + parameter.name, parameter_text(value));
   }
   identity.emplace_back("seed of the random numbers", fmt::format("{}", setup.seed));
   identity.emplace_back("seeds", described(setup.seeds));

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 namespace verdigris {
 

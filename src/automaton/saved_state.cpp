@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 namespace verdigris {
 

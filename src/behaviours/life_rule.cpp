@@ -4,7 +4,7 @@
 #include <cctype>
 
 #include "verdigris/behaviours/life.hpp"
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 namespace verdigris {
 

@@ -9,7 +9,7 @@
 #include <limits>
 #include <unordered_map>
 
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 namespace verdigris {
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstring>
 
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 namespace verdigris {
 

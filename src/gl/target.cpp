@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 #include "verdigris/picture/colour.hpp"
 
 namespace verdigris::gl {

@@ -22,7 +22,7 @@
 #include "binary_numbers.hpp"
 #include "file_bytes.hpp"
 #include "verdigris/io/replace_file.hpp"
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 namespace verdigris {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 namespace verdigris::io {
 

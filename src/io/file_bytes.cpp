@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 namespace verdigris::io {
 

@@ -17,7 +17,7 @@
 #include "polygon_soup.hpp"
 #include "text_cursor.hpp"
 #include "text_numbers.hpp"
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 namespace verdigris::io {
 

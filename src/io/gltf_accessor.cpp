@@ -10,7 +10,7 @@
 #include "binary_numbers.hpp"
 #include "file_bytes.hpp"
 #include "text_numbers.hpp"
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 namespace verdigris::io {
 

@@ -9,7 +9,7 @@
 
 #include "binary_numbers.hpp"
 #include "file_bytes.hpp"
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 namespace verdigris::io {
 

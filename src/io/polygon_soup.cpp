@@ -7,7 +7,7 @@
 #include "ear_clip.hpp"
 #include "file_bytes.hpp"
 #include "text_numbers.hpp"
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 namespace verdigris::io {
 

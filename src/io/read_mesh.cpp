@@ -9,7 +9,7 @@
 
 #include "formats.hpp"
 #include "text_cursor.hpp"
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 namespace verdigris {
 

@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 namespace verdigris {
 

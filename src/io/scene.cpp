@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "file_bytes.hpp"
+#include "verdigris/base/error.hpp"
 #include "verdigris/io/replace_file.hpp"
-#include "verdigris/mesh/error.hpp"
 
 namespace verdigris {
 
@@ -29,6 +29,10 @@ const char* name_of(LinkKind kind) {
 }
 
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double most = std::numeric_limits<double>::max();
+constexpr std::int64_t most_whole = std::numeric_limits<std::int64_t>::max();
 
 // One table of a scene file, read key by key; what was not asked for is an error.
 class Table {
@@ -70,6 +74,10 @@ class Table {
       fail(node, fmt::format("{}.{} is not a number from {} to {}", name_, key, least, greatest),
            "correct the value");
     return *value;
+  }
+  ParameterValue value_of(const toml::node& node, std::string_view key) const {
+    if (node.is_string()) return node.as_string()->get();
+    return number_of(node, key, -infinity, infinity);
   }
   template <typename Integer>
   void whole(const char* key, Integer& value, std::int64_t least, std::int64_t greatest) const {
@@ -113,10 +121,6 @@ class Table {
   const char* name_;
   const toml::table* table_ = nullptr;
 };
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double most = std::numeric_limits<double>::max();
-constexpr std::int64_t most_whole = std::numeric_limits<std::int64_t>::max();
 
 void read_seeds(const Table& seeds, const std::filesystem::path& base, SeedPlan& plan) {
   seeds.only({"count", "points", "file", "vertices", "weights"});
@@ -203,8 +207,7 @@ Scene read_scene(const std::filesystem::path& file) {
   if (behaviour)
     for (const auto& [key, node] : behaviour.raw())
       if (key != "name")
-        scene.parameters.emplace_back(std::string(key.str()),
-                                      behaviour.number_of(node, key.str(), -infinity, infinity));
+        scene.parameters.emplace_back(std::string(key.str()), behaviour.value_of(node, key.str()));
 
   read_seeds(Table(file, root, "seeds"), base, scene.seeds);
 
@@ -255,6 +258,11 @@ std::string quoted(const std::string& text) {
   return out + '"';
 }
 
+std::string written(const ParameterValue& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  return text != nullptr ? quoted(*text) : exact(std::get<double>(value));
+}
+
 std::string path_from(const std::filesystem::path& file, const std::filesystem::path& target) {
   // Only folders are resolved: a model's own name may be a link, and its extension is needed.
   const auto folder_of = [](const std::filesystem::path& path) {
@@ -278,7 +286,7 @@ void write_scene(const std::filesystem::path& file, const Scene& scene) {
                                 : fmt::format("cells = {}\n", exact(scene.cells));
   text += fmt::format("links = {}\n\n", quoted(name_of(scene.links)));
   text += fmt::format("[behaviour]\nname = {}\n", quoted(scene.behaviour));
-  for (const auto& [name, value] : scene.parameters) text += fmt::format("{} = {}\n", name, exact(value));
+  for (const auto& [name, value] : scene.parameters) text += fmt::format("{} = {}\n", name, written(value));
   const SeedPlan& seeds = scene.seeds;
   if (seeds.count > 0 || !seeds.points.empty() || !seeds.vertices.empty()) {
     text += "\n[seeds]\n";

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "verdigris/io/replace_file.hpp"
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 namespace verdigris {
 

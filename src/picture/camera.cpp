@@ -9,7 +9,7 @@
 #include <numbers>
 #include <string>
 
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 namespace verdigris {
 

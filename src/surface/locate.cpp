@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "nearest.hpp"
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 #include "verdigris/surface/surface.hpp"
 
 namespace verdigris {

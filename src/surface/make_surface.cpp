@@ -11,7 +11,7 @@
 #include "joints.hpp"
 #include "pair_sort.hpp"
 #include "scan.hpp"
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 #include "verdigris/surface/surface.hpp"
 
 namespace verdigris {

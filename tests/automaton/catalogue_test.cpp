@@ -2,7 +2,7 @@
 
 #include "shapes.hpp"
 #include "verdigris/behaviours/builtin.hpp"
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 using namespace verdigris;
 
@@ -37,7 +37,7 @@ TEST(Catalogue, IsOpen) {
   const BehaviourEntry& fire = catalogue.find("fire");
   ASSERT_EQ(fire.parameters.size(), 2u);
   EXPECT_EQ(fire.parameters[0].name, "catches");
-  EXPECT_EQ(fire.parameters[0].default_value, 0.9);
+  EXPECT_EQ(fire.parameters[0].default_value, ParameterValue(0.9));
 
   const Surface s = make_surface(shapes::cube(1), {.cell_size = 0.02});
   const auto simulation = fire.create({s, 1, {}, {}}, {{"catches", 1.0}});

@@ -10,7 +10,7 @@
 
 #include "growth.hpp"
 #include "verdigris/behaviours/builtin.hpp"
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 using namespace growth;
 

@@ -6,7 +6,7 @@
 #include "shapes.hpp"
 #include "verdigris/automaton/sweep.hpp"
 #include "verdigris/behaviours/packed_life.hpp"
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 #include "verdigris/surface/flat_torus.hpp"
 
 using namespace verdigris;

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "growth.hpp"
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 using namespace growth;
 

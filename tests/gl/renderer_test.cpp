@@ -11,7 +11,7 @@
 #include <numbers>
 
 #include "verdigris/io/write_png.hpp"
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 namespace verdigris {
 namespace {

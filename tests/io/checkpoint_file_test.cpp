@@ -10,7 +10,7 @@
 #include <iterator>
 #include <random>
 
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 using namespace verdigris;
 namespace fs = std::filesystem;

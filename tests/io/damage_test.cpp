@@ -8,7 +8,7 @@
 #include <random>
 
 #include "model_files.hpp"
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 using namespace verdigris;
 using namespace verdigris::model_files;

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <fstream>
 
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 namespace verdigris::model_files {
 

@@ -5,7 +5,7 @@
 #include <glm/vec4.hpp>
 #include <random>
 
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 namespace verdigris {
 namespace {

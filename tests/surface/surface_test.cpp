@@ -6,7 +6,7 @@
 
 #include "shapes.hpp"
 #include "verdigris/io/read_mesh.hpp"
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 #include "verdigris/mesh/report.hpp"
 #include "verdigris/surface/surface.hpp"
 

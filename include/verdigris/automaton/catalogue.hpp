@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "verdigris/automaton/parameters.hpp"
+#include "verdigris/base/parameters.hpp"
 #include "verdigris/automaton/simulation.hpp"
 
 namespace verdigris {

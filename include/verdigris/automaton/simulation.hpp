@@ -14,7 +14,7 @@
 #include "verdigris/automaton/front.hpp"
 #include "verdigris/automaton/saved_state.hpp"
 #include "verdigris/automaton/sweep.hpp"
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 namespace verdigris {
 

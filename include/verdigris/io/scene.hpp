@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "verdigris/automaton/parameters.hpp"
+#include "verdigris/base/parameters.hpp"
 #include "verdigris/io/read_points.hpp"
 #include "verdigris/surface/surface.hpp"
 

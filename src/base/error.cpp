@@ -1,4 +1,4 @@
-#include "verdigris/mesh/error.hpp"
+#include "verdigris/base/error.hpp"
 
 #include <utility>
 
