@@ -10,6 +10,11 @@
 
 namespace verdigris {
 
+const Field<float>* SimulationSetup::mask(std::string_view name) const {
+  const auto found = std::find_if(masks.begin(), masks.end(), [&](const Mask& m) { return m.name == name; });
+  return found == masks.end() ? nullptr : &found->values;
+}
+
 void Catalogue::add(BehaviourEntry entry) {
   if (std::any_of(entries_.begin(), entries_.end(),
                   [&](const BehaviourEntry& e) { return e.name == entry.name; }))

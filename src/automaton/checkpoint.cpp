@@ -64,10 +64,11 @@ std::string described(const std::vector<Seed>& seeds) {
   return seeds.empty() ? "none" : fmt::format("{} ({})", seeds.size(), digest.text());
 }
 
-std::string described(const Field<std::uint8_t>& barrier) {
+template <typename T>
+std::string described(const Field<T>& values) {
   Digest digest;
-  digest.add(std::span<const std::uint8_t>(barrier));
-  return barrier.empty() ? "none" : digest.text();
+  digest.add(std::span<const T>(values));
+  return values.empty() ? "none" : digest.text();
 }
 
 }  // namespace
@@ -88,6 +89,7 @@ RunIdentity identity_of(const BehaviourEntry& behaviour, const SimulationSetup& 
   identity.emplace_back("seed of the random numbers", fmt::format("{}", setup.seed));
   identity.emplace_back("seeds", described(setup.seeds));
   identity.emplace_back("barrier", described(setup.barrier));
+  for (const Mask& mask : setup.masks) identity.emplace_back("mask " + mask.name, described(mask.values));
   identity.emplace_back("layout of the cells", hash_of(surface));
   return identity;
 }

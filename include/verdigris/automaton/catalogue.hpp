@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "verdigris/base/parameters.hpp"
 #include "verdigris/automaton/simulation.hpp"
+#include "verdigris/base/parameters.hpp"
 
 namespace verdigris {
 
@@ -19,12 +19,22 @@ struct Seed {
   double weight = 1.0;  ///< speed relative to other seeds, > 0
 };
 
+/// A scalar field that drives a behaviour: what it drives is its name.
+struct Mask {
+  std::string name;     ///< "strong", "seeding", ...: one of BehaviourEntry::masks
+  Field<float> values;  ///< [slot], evolving cells count; 0 to 1
+};
+
 /// What a simulation starts from, beside its parameters.
 struct SimulationSetup {
-  const Surface& surface;       ///< must outlive the simulation
-  std::uint64_t seed = 1;       ///< of the random numbers
-  std::vector<Seed> seeds;      ///< for behaviours that grow from seeds
-  Field<std::uint8_t> barrier;  ///< [slot] 1 where growth must not go; empty: nowhere
+  const Surface& surface;            ///< must outlive the simulation
+  std::uint64_t seed = 1;            ///< of the random numbers
+  std::vector<Seed> seeds = {};      ///< for behaviours that grow from seeds
+  Field<std::uint8_t> barrier = {};  ///< [slot] 1 where growth must not go; empty: nowhere
+  std::vector<Mask> masks = {};      ///< for behaviours that take some, each name once
+
+  /// The values of mask `name`; null when there is none.
+  const Field<float>* mask(std::string_view name) const;
 };
 
 /// One behaviour of the catalogue.
@@ -34,6 +44,7 @@ struct BehaviourEntry {
   bool needs_seeds = false;  ///< takes SimulationSetup::seeds
   std::vector<ParameterInfo> parameters;
   std::function<std::unique_ptr<AnySimulation>(const SimulationSetup&, const ParameterValues&)> create;
+  std::vector<std::string> masks = {};  ///< names of the masks it takes
 };
 
 /// Behaviours by name. A value: whoever makes one may add to it, from outside the library too.
@@ -46,11 +57,15 @@ class Catalogue {
   /// `State initial(const CellRandom&) const` and `template <typename V> void parameters(V&&)`.
   template <Behaviour B>
   void add() {
-    add({B::name, B::summary, false, describe_parameters<B>(),
+    add({B::name,
+         B::summary,
+         false,
+         describe_parameters<B>(),
          [](const SimulationSetup& setup, const ParameterValues& values) -> std::unique_ptr<AnySimulation> {
            return std::make_unique<RuleSimulation<B>>(setup.surface, with_parameters<B>(B::name, values),
                                                       setup.seed);
-         }});
+         },
+         {}});
   }
 
   /// Throws InputError naming the behaviours there are.
