@@ -1,0 +1,7 @@
+#include "entries.hpp"
+
+namespace verdigris {
+
+void add_noise(PrimitiveCatalogue&) {}
+
+}  // namespace verdigris
