@@ -138,8 +138,8 @@ std::size_t VoronoiGrowth::bytes() const {
 }
 
 std::vector<FieldInfo> VoronoiGrowth::fields() const {
-  return {{"label", "1", "index of the seed whose region the cell is in; -1: none"},
-          {"arrival", "steps", "step in which growth arrived; -1: never"}};
+  return {{"label", "1", "index of the seed whose region the cell is in; -1: none", FieldKind::label},
+          {"arrival", "steps", "step in which growth arrived; -1: never", FieldKind::arrival}};
 }
 
 namespace {

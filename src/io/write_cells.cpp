@@ -65,7 +65,8 @@ void write_cells_vtp(const std::filesystem::path& target, const Surface& surface
 
   Appended layout;
   std::string point_data;
-  for (const CellArray& array : arrays) point_data += layout.array("Int32", array.name, 1, 4 * n);
+  for (const CellArray& array : arrays)
+    point_data += layout.array(array.values.index() == 0 ? "Int32" : "Float32", array.name, 1, 4 * n);
   point_data += layout.array("Int32", "patch", 1, 4 * n);
   point_data += layout.array("Float64", "area", 1, 8 * n);
   const std::string points = layout.array("Float64", "Points", 3, 24 * n);
@@ -82,9 +83,14 @@ void write_cells_vtp(const std::filesystem::path& target, const Surface& surface
       "</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_",
       n, point_data, points, connectivity, offsets));
   for (const CellArray& array : arrays)
-    write_values<std::int32_t>(file, surface, [&](std::uint32_t, std::uint32_t, std::uint32_t slot) {
-      return (*array.values)[slot];
-    });
+    std::visit(
+        [&](const auto* values) {
+          using Value = typename std::decay_t<decltype(*values)>::value_type;
+          write_values<Value>(file, surface, [&](std::uint32_t, std::uint32_t, std::uint32_t slot) {
+            return (*values)[slot];
+          });
+        },
+        array.values);
   write_values<std::int32_t>(file, surface, [](std::uint32_t patch, std::uint32_t, std::uint32_t) {
     return static_cast<std::int32_t>(patch);
   });

@@ -116,11 +116,11 @@ class SurfaceBuilder {
         if (surface_.frames_[t].cy <= 0.0 && normals[t] == glm::dvec3(0.0) && across != Adjacency::none)
           normals[t] = normals[across / 3];
       }
-    barrier_.assign(opposite.size(), false);
+    surface_.barred_.assign(opposite.size(), false);
     for (std::size_t e = 0; e < opposite.size(); ++e) {
       if (opposite[e] == Adjacency::none) continue;
       const glm::dvec3 &a = normals[e / 3], &b = normals[opposite[e] / 3];
-      barrier_[e] = a != glm::dvec3(0.0) && b != glm::dvec3(0.0) && glm::dot(a, b) < least_cosine;
+      surface_.barred_[e] = a != glm::dvec3(0.0) && b != glm::dvec3(0.0) && glm::dot(a, b) < least_cosine;
     }
   }
 
@@ -238,7 +238,7 @@ class SurfaceBuilder {
                          surface_.row_begin_,
                          surface_.comp_in_,
                          surface_.cell_size_};
-    const Unfolding unfolding(surface_.frames_, *surface_.adjacency_, barrier_);
+    const Unfolding unfolding(surface_.frames_, *surface_.adjacency_, surface_.barred_);
     const std::size_t tasks = (patches + patches_a_task - 1) / patches_a_task;
     std::vector<Joints> joints(tasks);
     tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
@@ -272,7 +272,6 @@ class SurfaceBuilder {
 
   Surface surface_;
   bool projected_;
-  std::vector<bool> barrier_;  // [half-edge], or empty
 };
 
 Surface make_surface(Mesh mesh, const SurfaceOptions& options) {

@@ -45,6 +45,7 @@ struct BehaviourEntry {
   std::vector<ParameterInfo> parameters;
   std::function<std::unique_ptr<AnySimulation>(const SimulationSetup&, const ParameterValues&)> create;
   std::vector<std::string> masks = {};  ///< names of the masks it takes
+  std::uint64_t default_steps = 0;      ///< where a run ends that may go on for ever; 0: it ends by itself
 };
 
 /// Behaviours by name. A value: whoever makes one may add to it, from outside the library too.
@@ -64,8 +65,7 @@ class Catalogue {
          [](const SimulationSetup& setup, const ParameterValues& values) -> std::unique_ptr<AnySimulation> {
            return std::make_unique<RuleSimulation<B>>(setup.surface, with_parameters<B>(B::name, values),
                                                       setup.seed);
-         },
-         {}});
+         }});
   }
 
   /// Throws InputError naming the behaviours there are.

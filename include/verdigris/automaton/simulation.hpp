@@ -30,11 +30,20 @@ struct StepperOf<B> {
 template <Behaviour B>
 using Simulation = typename StepperOf<B>::type;
 
+/// What the numbers of a field say.
+enum class FieldKind : std::uint8_t {
+  quantity,  ///< how much
+  label,     ///< which region; -1: none
+  arrival,   ///< the step in which a cell was reached; -1: never
+};
+
 /// A field that a running behaviour offers for pictures and files.
 struct FieldInfo {
   std::string name;
   std::string unit;  ///< "1" for a pure number
   std::string help;
+  FieldKind kind = FieldKind::quantity;
+  bool real = false;  ///< it is real_field() that gives it, not field()
 };
 
 /// A simulation whose behaviour is known by name only: one virtual call a step, none a cell.
@@ -46,8 +55,10 @@ class AnySimulation {
   virtual std::uint64_t steps() const = 0;
   virtual std::size_t bytes() const = 0;              ///< memory of states and lists
   virtual std::vector<FieldInfo> fields() const = 0;  ///< the first is what pictures show
-  /// The values of a field for every slot. Throws std::out_of_range for a name not in fields().
+  /// The values of a field of whole numbers, or of a real one, for every slot. Both throw std::out_of_range
+  /// for a name that is not such a one in fields().
   virtual Field<std::int32_t> field(std::string_view name) const = 0;
+  virtual Field<float> real_field(std::string_view name) const { throw std::out_of_range(std::string(name)); }
 
   /// Where it stands: `restore` of another one, made with the same setup and parameters, goes on from there
   /// with the same bits. Both throw InputError for a behaviour that does not support it, `restore` for a

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "verdigris/automaton/behaviour.hpp"
@@ -12,15 +13,15 @@
 
 namespace verdigris {
 
-/// A named value for each slot.
+/// A named value for each slot, whole or real.
 struct CellArray {
   std::string name;
-  const Field<std::int32_t>* values;
+  std::variant<const Field<std::int32_t>*, const Field<float>*> values;
 };
 
 /// Writes the owned (COMP-IN) cell centres as points, in slot order, each with a vertex cell, as VTK XML
 /// PolyData
-/// (.vtp, appended raw data, UInt64 headers). Point data: the given arrays and `patch` as int32, `area` in
+/// (.vtp, appended raw data, UInt64 headers). Point data: the given arrays as int32 or float32, `patch` as int32, `area` in
 /// model units squared as float64. No time stamp: equal input, equal bytes. Streams; needs no memory beyond a
 /// few rows. Throws InputError when the file cannot be written.
 void write_cells_vtp(const std::filesystem::path& file, const Surface& surface,

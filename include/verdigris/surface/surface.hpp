@@ -105,6 +105,8 @@ class Surface {
   glm::dvec3 position(std::uint32_t slot) const;
 
   const Links& links() const { return links_; }
+  /// [half-edge] true where a crease bars the way; empty when there is no such barrier.
+  const std::vector<bool>& barred_edges() const { return barred_; }
 
  private:
   friend class SurfaceBuilder;
@@ -121,6 +123,7 @@ class Surface {
   static constexpr unsigned hint_shift = 5;
   std::vector<std::uint32_t> row_hint_;  // [slot / 32] row of slot 32 k
   Links links_;
+  std::vector<bool> barred_;  // [half-edge], or empty
 };
 
 /// How to lay cells on a mesh.
