@@ -1,0 +1,83 @@
+#pragma once
+// What the symbols of a word tell a turtle, wherever it walks: in space, or on a surface.
+
+#include <array>
+#include <cstdint>
+
+#include "verdigris/synthesis/turtle.hpp"
+
+namespace verdigris {
+
+/// What a symbol does.
+enum class TurtleCommand : std::uint8_t { none, draw, move, back, turn, pitch, roll, width, push, pop };
+
+/// Tells `turtle` what each symbol says, in model units and degrees. A turtle has
+///
+///   forward(distance, pen_down), turn(degrees), pitch(degrees), roll(degrees),
+///   scale_width(factor), set_width(width), push(), pop()
+template <typename Turtle>
+void command_turtle(const Word& word, const TurtleSettings& settings, Turtle& turtle) {
+  std::array<TurtleCommand, 256> commands{};
+  std::array<double, 256> sign{};
+  const auto is = [&](const std::string& symbols, TurtleCommand command, double way = 1.0) {
+    for (const char symbol : symbols) {
+      commands[static_cast<unsigned char>(symbol)] = command;
+      sign[static_cast<unsigned char>(symbol)] = way;
+    }
+  };
+  is("+", TurtleCommand::turn);
+  is("-", TurtleCommand::turn, -1.0);
+  is("|", TurtleCommand::turn);
+  is("&", TurtleCommand::pitch);
+  is("^", TurtleCommand::pitch, -1.0);
+  is("\\", TurtleCommand::roll);
+  is("/", TurtleCommand::roll, -1.0);
+  is("!", TurtleCommand::width);
+  is("[", TurtleCommand::push);
+  is("]", TurtleCommand::pop);
+  is(settings.draw, TurtleCommand::draw);
+  is(settings.move, TurtleCommand::move);
+  is(settings.back, TurtleCommand::back, -1.0);
+
+  for (std::size_t k = 0; k < word.size(); ++k) {
+    const auto symbol = static_cast<unsigned char>(word.symbols[k]);
+    const TurtleCommand command = commands[symbol];
+    if (command == TurtleCommand::none) continue;
+    const auto values = word.arguments(k);
+    const double length = sign[symbol] * (values.empty() ? settings.step : values[0] * settings.step);
+    const double angle = sign[symbol] * (!values.empty() ? values[0]
+                                         : symbol == '|' ? 180.0
+                                                         : settings.angle);
+    switch (command) {
+      case TurtleCommand::draw:
+      case TurtleCommand::back:
+        turtle.forward(length, true);
+        break;
+      case TurtleCommand::move:
+        turtle.forward(length, false);
+        break;
+      case TurtleCommand::turn:
+        turtle.turn(angle);
+        break;
+      case TurtleCommand::pitch:
+        turtle.pitch(angle);
+        break;
+      case TurtleCommand::roll:
+        turtle.roll(angle);
+        break;
+      case TurtleCommand::push:
+        turtle.push();
+        break;
+      case TurtleCommand::pop:
+        turtle.pop();
+        break;
+      default:
+        if (values.empty())
+          turtle.scale_width(settings.taper);
+        else
+          turtle.set_width(values[0] * settings.width);
+    }
+  }
+}
+
+}  // namespace verdigris
