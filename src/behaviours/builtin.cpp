@@ -1,5 +1,6 @@
 #include "verdigris/behaviours/builtin.hpp"
 
+#include "verdigris/behaviours/life_simulation.hpp"
 #include "verdigris/behaviours/voronoi_growth.hpp"
 
 namespace verdigris {
@@ -7,6 +8,7 @@ namespace verdigris {
 Catalogue builtin_catalogue() {
   Catalogue catalogue;
   catalogue.add(voronoi_entry());
+  catalogue.add(life_entry());
   return catalogue;
 }
 

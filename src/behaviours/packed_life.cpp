@@ -10,6 +10,9 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <utility>
+
+#include "verdigris/base/error.hpp"
 
 #if defined(__AVX512F__) || defined(__BMI2__)
 #include <immintrin.h>
@@ -105,6 +108,15 @@ void PackedLife::fill(double density, std::uint64_t seed) {
     }
     state_[word] = alive & cells_.owned_mask()[word];
   });
+}
+
+void PackedLife::restore(std::vector<std::uint64_t> state, std::uint64_t steps) {
+  bool good = state.size() == state_.size();
+  for (std::size_t word = 0; good && word < state.size(); ++word)
+    good = (state[word] & ~cells_.owned_mask()[word]) == 0;
+  if (!good) throw InputError("cells", "they are not of this surface", "start again without this checkpoint");
+  state_ = std::move(state);
+  steps_ = steps;
 }
 
 std::uint64_t PackedLife::population() const {

@@ -5,11 +5,6 @@
 
 namespace verdigris {
 
-namespace {
-// Sides first.
-constexpr int neighbour_steps[8][2] = {{0, -1}, {-1, 0}, {1, 0}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
-}  // namespace
-
 void find_ghosts(const PatchRows& rows, const Unfolding& unfolding, std::uint32_t patch, Joints& joints) {
   const std::uint32_t first = rows.row_begin[patch], last = rows.row_begin[patch + 1];
   if (first == last) return;
@@ -29,8 +24,9 @@ void find_ghosts(const PatchRows& rows, const Unfolding& unfolding, std::uint32_
       }
       if (!within(near[0], column, 1) && !within(near[1], column, 1) && !within(near[2], column, 1)) continue;
       const auto from_neighbours = [&](auto&& walk) {
-        for (const auto& [dx, dy] : neighbour_steps)
-          if (within(near[dy + 1], column + dx, 0) && walk(grid_row + dy, column + dx)) return;
+        each_neighbour([&](std::int32_t dx, std::int32_t dy) {
+          return within(near[dy + 1], column + dx, 0) && walk(grid_row + dy, column + dx);
+        });
       };
       if (const auto source = ghosts.source(grid_row, column, from_neighbours, joints))
         joints.pairs.push_back(std::uint64_t{*source} << 32 |

@@ -69,6 +69,12 @@ struct Finder {
         }
         if (starts.empty()) continue;
         const auto nearest_first = [&](auto&& walk) {
+          const bool seen = each_neighbour([&](std::int32_t dx, std::int32_t dy) {
+            return y + dy >= 0 && y + dy < height &&
+                   within(runs[static_cast<std::size_t>(y + dy)], column + dx, 0) &&
+                   walk(y + dy - reach, column + dx);
+          });
+          if (seen) return;
           std::stable_sort(starts.begin(), starts.end(),
                            [](const Start& a, const Start& b) { return a.distance2 < b.distance2; });
           for (const Start& start : starts)

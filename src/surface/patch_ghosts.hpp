@@ -30,6 +30,15 @@ inline bool within(const Columns& run, std::int32_t column, std::int32_t margin)
   return run.begin < run.end && column >= run.begin - margin && column < run.end + margin;
 }
 
+/// Calls visit(dx, dy) for the eight neighbours, sides first, until it returns true; returns whether it did.
+template <typename Visit>
+bool each_neighbour(Visit&& visit) {
+  constexpr std::int32_t steps[8][2] = {{0, -1}, {-1, 0}, {1, 0}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
+  for (const auto& [dx, dy] : steps)
+    if (visit(dx, dy)) return true;
+  return false;
+}
+
 /// Turns the triangles around a patch into its plane.
 class PatchGhosts {
  public:

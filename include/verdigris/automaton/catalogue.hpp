@@ -45,6 +45,7 @@ struct BehaviourEntry {
   std::vector<ParameterInfo> parameters;
   std::function<std::unique_ptr<AnySimulation>(const SimulationSetup&, const ParameterValues&)> create;
   std::vector<std::string> masks = {};  ///< names of the masks it takes
+  bool on_projected = true;             ///< can run on projected links
   std::uint64_t default_steps = 0;      ///< where a run ends that may go on for ever; 0: it ends by itself
 };
 
@@ -58,10 +59,7 @@ class Catalogue {
   /// `State initial(const CellRandom&) const` and `template <typename V> void parameters(V&&)`.
   template <Behaviour B>
   void add() {
-    add({B::name,
-         B::summary,
-         false,
-         describe_parameters<B>(),
+    add({B::name, B::summary, false, describe_parameters<B>(),
          [](const SimulationSetup& setup, const ParameterValues& values) -> std::unique_ptr<AnySimulation> {
            return std::make_unique<RuleSimulation<B>>(setup.surface, with_parameters<B>(B::name, values),
                                                       setup.seed);

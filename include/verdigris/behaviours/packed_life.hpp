@@ -27,6 +27,8 @@ class PackedLife {
   void fill(double density, std::uint64_t seed);
 
   const std::vector<std::uint64_t>& state() const { return state_; }
+  /// Goes on from what state() and steps() were. Throws InputError when it is not of such a surface.
+  void restore(std::vector<std::uint64_t> state, std::uint64_t steps);
   /// Bytes of state; the packed surface has its own.
   std::size_t bytes() const { return (state_.size() + ghosts_.size()) * 8; }
 
