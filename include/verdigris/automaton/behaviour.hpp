@@ -56,6 +56,25 @@ concept FrontBehaviour = Behaviour<B> &&
 template <typename B>
 concept StampedBehaviour = FrontBehaviour<B> && B::stamped;
 
+/// A FrontBehaviour some of whose changes concern only cells that wait anyway. `wakes(before, after)`: after
+/// this change the cell and its neighbours have to be looked at. `quiet(n)`: nothing around the cell has
+/// changed since the start, and it will not change before something does; told from states alone, so that a
+/// front finds where it stands after a restart.
+template <typename B>
+concept WakingBehaviour = FrontBehaviour<B> &&
+    requires(const B& b, const Neighbourhood<typename B::State>& n, typename B::State s) {
+  { b.wakes(s, s) } -> std::same_as<bool>;
+  { b.quiet(n) } -> std::same_as<bool>;
+};
+
+/// A behaviour whose states hold directions. A ghost lies in another frame than its owner: it shows
+/// `turned(state, eighths)`, the owner's state with its directions turned counter-clockwise by that many
+/// times 45 degrees (0..7), the nearest to the angle between the frames.
+template <typename B>
+concept TurningBehaviour = Behaviour<B> && requires(const B& b, typename B::State s, unsigned eighths) {
+  { b.turned(s, eighths) } -> std::same_as<typename B::State>;
+};
+
 /// A behaviour that can run on projected pairs: `merge(mine, theirs)` is what a cell becomes when the data of
 /// a pair is made common. Several partners must give the same in any order, and one partner twice the same as
 /// once.

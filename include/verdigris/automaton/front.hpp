@@ -6,22 +6,25 @@
 
 #include <algorithm>
 #include <atomic>
-#include <bit>
 #include <cstddef>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "verdigris/automaton/behaviour.hpp"
+#include "verdigris/automaton/ghost_carrier.hpp"
 #include "verdigris/automaton/pairs.hpp"
+#include "verdigris/automaton/slot_list.hpp"
+#include "verdigris/automaton/slot_marks.hpp"
 #include "verdigris/surface/surface.hpp"
 
 namespace verdigris {
 
 /// Runs a FrontBehaviour. A step evaluates the *candidates* (cells near a change, cells that wait), then
 /// applies the changes and makes their neighbours candidates; ghosts carry a change across edges at once. A
-/// StampedBehaviour does both in one pass, while the cells are at hand. One state buffer, one bit a slot
-/// beside it. The same bits as SweepStepper. The surface must outlive it.
+/// StampedBehaviour does both in one pass, while the cells are at hand; a WakingBehaviour makes candidates
+/// only where a change wakes. One state buffer, one bit a slot beside it. The same bits as SweepStepper. The
+/// surface must outlive it.
 template <FrontBehaviour B>
 class FrontStepper {
  public:
@@ -31,8 +34,14 @@ class FrontStepper {
   /// first; with none given every cell is a candidate once.
   FrontStepper(const Surface& surface, B behaviour, Field<State> state, std::uint64_t seed,
                std::span<const std::uint32_t> sources = {})
-      : surface_(surface), behaviour_(std::move(behaviour)), state_(std::move(state)), seed_(seed), step_(0) {
-    refresh_ghosts();
+      : surface_(surface),
+        behaviour_(std::move(behaviour)),
+        carrier_(surface),
+        state_(std::move(state)),
+        seed_(seed),
+        step_(0),
+        marks_(surface) {
+    carrier_.refresh(behaviour_, state_);
     std::vector<std::uint32_t> starts(sources.begin(), sources.end());
     if constexpr (MergingBehaviour<B>)
       if (surface_.link_kind() == LinkKind::projected) {
@@ -42,16 +51,12 @@ class FrontStepper {
           starts.push_back(slot);
         }
       }
-    mark_all_but_unsettled();
+    unmark_unsettled();
     if (sources.empty()) {
       consider_all();
       return;
     }
-    for (const std::uint32_t slot : starts) {
-      candidates_.reserve_more(most_marked);
-      mark_around<false, false>(slot, surface_.row_of(slot), candidates_);
-      spread_to_targets<false>(slot, candidates_);
-    }
+    for (const std::uint32_t slot : starts) wake(slot);
   }
 
   /// Goes on with a run that stands at `restart`: every cell is a candidate once, and pairs have been made
@@ -60,12 +65,14 @@ class FrontStepper {
                const Restart& restart)
       : surface_(surface),
         behaviour_(std::move(behaviour)),
+        carrier_(surface),
         state_(std::move(state)),
         seed_(seed),
-        step_(restart.step) {
-    refresh_ghosts();
+        step_(restart.step),
+        marks_(surface) {
+    carrier_.refresh(behaviour_, state_);
     for (const std::uint32_t slot : restart.merged) merges_.emplace_back(slot, state_[slot]);
-    mark_all_but_unsettled();
+    unmark_unsettled();
     consider_all();
   }
 
@@ -85,6 +92,24 @@ class FrontStepper {
     return report;
   }
 
+  /// Sets an evolving cell to a state between two steps, and wakes what is around it.
+  void put(std::uint32_t slot, State state) {
+    state_[slot] = state;
+    if (surface_.link_kind() == LinkKind::unfolded)
+      carrier_.carry(behaviour_, surface_.links().targets(slot), state,
+                     [&](std::uint32_t ghost, State shown) { state_[ghost] = shown; });
+    wake(slot);
+  }
+
+  /// Calls visit(slot, state) for each cell that changed in the last step, in no order that means anything.
+  /// Only after two passes: not for a StampedBehaviour, nor for what pairs made common.
+  template <typename Visit>
+  void visit_changes(Visit&& visit) const requires(!StampedBehaviour<B>) {
+    for (const Change& change : changes_) visit(change.slot, change.state);
+    for (std::size_t task = 0; task < tasks_; ++task)
+      for (const Change& change : task_changes_[task]) visit(change.slot, change.state);
+  }
+
   const Field<State>& state() const { return state_; }
   Field<State> take_state() { return std::move(state_); }
   std::uint64_t steps() const { return step_; }
@@ -96,7 +121,7 @@ class FrontStepper {
   const B& behaviour() const { return behaviour_; }
   /// Bytes of state, marks and lists.
   std::size_t bytes() const {
-    std::size_t sum = state_.capacity() * sizeof(State) + marks_.size() * sizeof(marks_[0]);
+    std::size_t sum = state_.capacity() * sizeof(State) + marks_.bytes() + carrier_.bytes();
     sum += candidates_.bytes() + next_.bytes() + changes_.bytes();
     for (const auto& list : task_changes_) sum += list.bytes();
     for (const auto& list : task_next_) sum += list.bytes();
@@ -106,59 +131,20 @@ class FrontStepper {
  private:
   static constexpr std::size_t task_size = 4096;
 
-  static constexpr std::size_t most_marked = 9;  // a slot and its neighbours
-  static constexpr std::size_t ahead = 12;       // candidates fetched before their turn; flat from 8 to 24
+  static constexpr std::size_t most_marked = SlotMarks::most_marked;
+  static constexpr std::size_t ahead = 12;  // candidates fetched before their turn; flat from 8 to 24
 
-  struct Place {
-    std::uint32_t row, slot;
-  };
   struct Change {
     std::uint32_t row, slot;
     State state;
   };
-
-  // A list that is written without branches: room is made first, then elements are put and counted or not.
-  template <typename T>
-  class List {
-   public:
-    std::size_t size() const { return size_; }
-    bool empty() const { return size_ == 0; }
-    std::size_t bytes() const { return room_.size() * sizeof(T); }
-    void clear() { size_ = 0; }
-    void reserve_more(std::size_t more) {
-      if (room_.size() < size_ + more) room_.resize(std::max(size_ + more, room_.size() + room_.size() / 2));
-    }
-    void put_if(const T& value, bool counts) {
-      room_[size_] = value;
-      size_ += counts;
-    }
-    void push(const T& value) {
-      reserve_more(1);
-      put_if(value, true);
-    }
-    void append(const List& other) {
-      reserve_more(other.size_);
-      std::copy_n(other.room_.begin(), other.size_, room_.begin() + static_cast<std::ptrdiff_t>(size_));
-      size_ += other.size_;
-    }
-    template <typename Keep>
-    void keep_if(Keep&& keep) {
-      size_ = static_cast<std::size_t>(std::remove_if(room_.begin(),
-                                                      room_.begin() + static_cast<std::ptrdiff_t>(size_),
-                                                      [&](const T& t) { return !keep(t); }) -
-                                       room_.begin());
-    }
-    const T* begin() const { return room_.data(); }
-    const T* end() const { return room_.data() + size_; }
-
-   private:
-    std::vector<T> room_;
-    std::size_t size_ = 0;
-  };
+  using Places = SlotList<Place>;
+  using Changes = SlotList<Change>;
 
   void serial_step(StepReport& report) {
     changes_.clear();
     next_.clear();
+    tasks_ = 0;
     if (in_place()) {
       report.changed = advance<false>(candidates_.begin(), candidates_.end(), next_);
     } else {
@@ -173,6 +159,8 @@ class FrontStepper {
 
   void parallel_step(StepReport& report) {
     const std::size_t tasks = (candidates_.size() + task_size - 1) / task_size;
+    tasks_ = tasks;
+    changes_.clear();
     task_changes_.resize(std::max(tasks, task_changes_.size()));
     task_next_.resize(std::max(tasks, task_next_.size()));
     std::vector<std::uint64_t> changed(tasks);
@@ -227,7 +215,7 @@ class FrontStepper {
   // One pass: evaluate, write, spread. Other threads may read a state while it is written; they take it for
   // what it was before either way.
   template <bool Shared>
-  std::uint64_t advance(const Place* begin, const Place* end, List<Place>& next) {
+  std::uint64_t advance(const Place* begin, const Place* end, Places& next) {
     const Links& links = surface_.links();
     constexpr std::ptrdiff_t block = 256;  // room is made block by block
     std::uint64_t changed = 0;
@@ -244,14 +232,14 @@ class FrontStepper {
         }
         ++changed;
         store<Shared>(place.slot, state);
-        mark_around<Shared, false>(place.slot, place.row, next);
+        marks_.mark_around<Shared, false>(place.slot, place.row, next);
         if (links.is_source(place.slot)) {
           const auto ghosts = links.targets(place.slot);
           next.reserve_more((block + ghosts.size()) * most_marked);
-          for (const std::uint32_t ghost : ghosts) {
-            store<Shared>(ghost, state);
-            mark_around<Shared, true>(ghost, surface_.row_of(ghost), next);
-          }
+          carrier_.carry(behaviour_, ghosts, state, [&](std::uint32_t ghost, State shown) {
+            store<Shared>(ghost, shown);
+            marks_.mark_around<Shared, true>(ghost, surface_.row_of(ghost), next);
+          });
         }
       }
     }
@@ -268,7 +256,7 @@ class FrontStepper {
 
   // Reads states only; the order of candidates cannot matter.
   template <bool Shared>
-  void evaluate(const Place* begin, const Place* end, List<Change>& changes, List<Place>& waiting) {
+  void evaluate(const Place* begin, const Place* end, Changes& changes, Places& waiting) {
     const auto count = static_cast<std::size_t>(end - begin);
     changes.reserve_more(count + 1);
     waiting.reserve_more(count + 1);
@@ -277,15 +265,20 @@ class FrontStepper {
       const auto n = around(*place);
       const State next = behaviour_.next(n, CellRandom(seed_, step_ + 1, place->slot));
       const bool changed = next != *n.here;
-      const bool waits = !changed && behaviour_.waits(n);
+      bool waits = false;
+      if constexpr (WakingBehaviour<B>)
+        waits =
+            !(changed && behaviour_.wakes(*n.here, next)) && !behaviour_.settled(next) && behaviour_.waits(n);
+      else
+        waits = !changed && behaviour_.waits(n);
       changes.put_if({place->row, place->slot, next}, changed);
       waiting.put_if(*place, waits);
-      if (!waits && !behaviour_.settled(next)) unmark<Shared>(place->slot);
+      if (!waits && !behaviour_.settled(next)) marks_.unmark<Shared>(place->slot);
     }
   }
 
   template <bool Shared>
-  void apply(const List<Change>& changes, List<Place>& next) {
+  void apply(const Changes& changes, Places& next) {
     const bool unfolded = surface_.link_kind() == LinkKind::unfolded;
     const Links& links = surface_.links();
     constexpr std::size_t block = 256;  // room is made block by block
@@ -294,10 +287,14 @@ class FrontStepper {
           change + std::min<std::size_t>(block, static_cast<std::size_t>(changes.end() - change));
       next.reserve_more(block * most_marked);
       for (; change != stop; ++change) {
+        bool wakes = true;
+        if constexpr (WakingBehaviour<B>) wakes = behaviour_.wakes(state_[change->slot], change->state);
         state_[change->slot] = change->state;
-        mark_around<Shared, false>(change->slot, change->row, next);
+        if (wakes) marks_.mark_around<Shared, false>(change->slot, change->row, next);
         if (unfolded && links.is_source(change->slot)) {
-          for (const std::uint32_t ghost : links.targets(change->slot)) state_[ghost] = change->state;
+          carrier_.carry(behaviour_, links.targets(change->slot), change->state,
+                         [&](std::uint32_t ghost, State shown) { state_[ghost] = shown; });
+          if (!wakes) continue;
           spread_to_targets<Shared>(change->slot, next);
           next.reserve_more(block * most_marked);
         }
@@ -314,11 +311,11 @@ class FrontStepper {
     merges_ = merge_pairs(surface_, behaviour_, state_, sources);
     for (const auto& [slot, state] : merges_) {
       state_[slot] = state;
-      if (behaviour_.settled(state)) marks_[slot >> 6] |= std::uint64_t{1} << (slot & 63);
+      if (behaviour_.settled(state)) marks_.mark(slot);
     }
     for (const auto& merge : merges_) {
       next_.reserve_more(most_marked);
-      mark_around<false, true>(merge.first, surface_.row_of(merge.first), next_);
+      marks_.mark_around<false, true>(merge.first, surface_.row_of(merge.first), next_);
     }
     // A candidate that a partner settled is no candidate any more.
     next_.keep_if([&](const Place& place) { return !behaviour_.settled(state_[place.slot]); });
@@ -326,118 +323,54 @@ class FrontStepper {
   }
 
   template <bool Shared>
-  void spread_to_targets(std::uint32_t slot, List<Place>& next) {
+  void spread_to_targets(std::uint32_t slot, Places& next) {
     const auto targets = surface_.links().targets(slot);
     next.reserve_more((targets.size() + 1) * most_marked);
     for (const std::uint32_t target : targets)
-      mark_around<Shared, true>(target, surface_.row_of(target), next);
+      marks_.mark_around<Shared, true>(target, surface_.row_of(target), next);
   }
 
-  // Makes the unmarked ones of a slot and its eight neighbours candidates; `next` has room for them.
-  template <bool Shared, bool Ghost>
-  void mark_around(std::uint32_t slot, std::uint32_t row, List<Place>& next) {
-    const Row* rows = surface_.rows().data() + row;
-    const std::uint32_t column = slot - rows[0].base;
-    for (int d = -1; d <= 1; ++d) {
-      const Row& r = rows[d];
-      const std::uint32_t first = r.base + column - 1;
-      std::uint32_t wanted = 7;
-      if constexpr (Ghost) {
-        // Around a ghost the row may end before the column: those slots belong to another row, and may evolve
-        // there.
-        wanted = 0;
-        for (std::uint32_t k = 0; k < 3; ++k)
-          wanted |= static_cast<std::uint32_t>(first + k - r.run_begin < r.run_end - r.run_begin) << k;
-        if (wanted == 0) continue;
-      }
-      const std::uint32_t fresh = test_and_mark<Shared>(first, wanted);
-      const std::uint32_t index = row + static_cast<std::uint32_t>(d);
-      next.put_if({index, first}, (fresh & 1u) != 0);
-      next.put_if({index, first + 1}, (fresh & 2u) != 0);
-      next.put_if({index, first + 2}, (fresh & 4u) != 0);
-    }
+  void wake(std::uint32_t slot) {
+    candidates_.reserve_more(most_marked);
+    marks_.mark_around<false, false>(slot, surface_.row_of(slot), candidates_);
+    spread_to_targets<false>(slot, candidates_);
   }
 
-  // Of the `wanted` (one bit each) slots from `first` on, those that were not marked; they are now.
-  template <bool Shared>
-  std::uint32_t test_and_mark(std::uint32_t first, std::uint32_t wanted) {
-    const std::size_t word = first >> 6;
-    const unsigned shift = first & 63;
-    std::uint64_t low = std::uint64_t{wanted} << shift;
-    std::uint64_t fresh = claim<Shared>(marks_[word], low) >> shift;
-    if (shift > 61) {
-      const std::uint64_t high = std::uint64_t{wanted} >> (64 - shift);
-      if (high != 0) fresh |= claim<Shared>(marks_[word + 1], high) << (64 - shift);
-    }
-    return static_cast<std::uint32_t>(fresh);
+  void unmark_unsettled() {
+    for (const Row& row : surface_.rows())
+      marks_.unmark_between(row.run_begin, row.run_end,
+                            [&](std::uint32_t slot) { return !behaviour_.settled(state_[slot]); });
   }
 
-  template <bool Shared>
-  static std::uint64_t claim(std::uint64_t& word, std::uint64_t bits) {
-    if constexpr (Shared) {
-      std::atomic_ref<std::uint64_t> shared(word);
-      const std::uint64_t missing = bits & ~shared.load(std::memory_order_relaxed);
-      return missing == 0 ? 0 : bits & ~shared.fetch_or(missing, std::memory_order_relaxed);
-    } else {
-      const std::uint64_t fresh = bits & ~word;
-      word |= bits;
-      return fresh;
-    }
-  }
-
-  void refresh_ghosts() {
-    if (surface_.link_kind() != LinkKind::unfolded) return;
-    surface_.links().for_each([&](std::uint32_t source, auto targets) {
-      for (const std::uint32_t ghost : targets) state_[ghost] = state_[source];
-    });
-  }
-
-  // A marked slot never becomes a candidate: it is one, it does not evolve, or it is settled.
-  void mark_all_but_unsettled() {
-    marks_.assign(surface_.slot_count() / 64 + 2, ~std::uint64_t{0});
-    for (const Row& row : surface_.rows()) unmark_unsettled(row.run_begin, row.run_end);
-  }
-
-  // In place, only cells that wait may be candidates: a change beside any other makes it one.
   void consider_all() {
     const auto rows = surface_.rows();
     for (std::uint32_t r = 0; r < rows.size(); ++r)
       for (std::uint32_t slot = rows[r].run_begin; slot < rows[r].run_end; ++slot)
-        if ((!StampedBehaviour<B> || behaviour_.waits(around({r, slot}))) &&
-            test_and_mark<false>(slot, 1u) != 0)
-          candidates_.push({r, slot});
+        if (may_change({r, slot}) && marks_.test_and_mark<false>(slot, 1u) != 0) candidates_.push({r, slot});
   }
 
-  void unmark_unsettled(std::uint32_t begin, std::uint32_t end) {
-    for (std::uint32_t slot = begin; slot < end;) {
-      const std::uint32_t stop = std::min(end, (slot | 63u) + 1u);
-      std::uint64_t open = 0;
-      for (std::uint32_t s = slot; s < stop; ++s)
-        open |= std::uint64_t{!behaviour_.settled(state_[s])} << (s & 63u);
-      marks_[slot >> 6] &= ~open;
-      slot = stop;
-    }
-  }
-
-  template <bool Shared>
-  void unmark(std::uint32_t slot) {
-    const std::uint64_t keep = ~(std::uint64_t{1} << (slot & 63));
-    if constexpr (Shared)
-      std::atomic_ref<std::uint64_t>(marks_[slot >> 6]).fetch_and(keep, std::memory_order_relaxed);
+  // In place, only cells that wait may be candidates: a change beside any other makes it one.
+  bool may_change(const Place& place) const {
+    if constexpr (StampedBehaviour<B>)
+      return behaviour_.waits(around(place));
+    else if constexpr (WakingBehaviour<B>)
+      return !behaviour_.quiet(around(place));
     else
-      marks_[slot >> 6] &= keep;
+      return true;
   }
 
   const Surface& surface_;
   B behaviour_;
+  GhostCarrier<B> carrier_;
   Field<State> state_;
   std::uint64_t seed_, step_;
-  std::vector<std::uint64_t> marks_;  // [slot / 64]
-  List<Place> candidates_, next_;
-  List<Change> changes_;
-  std::vector<List<Change>> task_changes_;
-  std::vector<List<Place>> task_next_;
-  Merges<State> merges_;  // what pairs made common in the last turn
+  SlotMarks marks_;
+  Places candidates_, next_;
+  Changes changes_;
+  std::vector<Changes> task_changes_;
+  std::vector<Places> task_next_;
+  std::size_t tasks_ = 0;  // of the last step; 0: it was done by one thread
+  Merges<State> merges_;   // what pairs made common in the last turn
 };
 
 }  // namespace verdigris

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "verdigris/automaton/behaviour.hpp"
+#include "verdigris/automaton/ghost_carrier.hpp"
 #include "verdigris/automaton/pairs.hpp"
 #include "verdigris/surface/surface.hpp"
 
@@ -32,6 +33,7 @@ class SweepStepper {
                const Restart& restart)
       : surface_(surface),
         behaviour_(std::move(behaviour)),
+        carrier_(surface),
         state_(std::move(state)),
         seed_(seed),
         step_(restart.step) {
@@ -62,6 +64,14 @@ class SweepStepper {
     return report;
   }
 
+  /// Sets an evolving cell to a state between two steps.
+  void put(std::uint32_t slot, State state) {
+    state_[slot] = state;
+    if (surface_.link_kind() == LinkKind::unfolded)
+      carrier_.carry(behaviour_, surface_.links().targets(slot), state,
+                     [&](std::uint32_t ghost, State shown) { state_[ghost] = shown; });
+  }
+
   const Field<State>& state() const { return state_; }
   std::uint64_t steps() const { return step_; }
   Restart restart() const { return {step_, {}}; }
@@ -88,14 +98,9 @@ class SweepStepper {
 
   void refresh_ghosts() {
     if (surface_.link_kind() != LinkKind::unfolded) return;
-    const Links& links = surface_.links();
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, links.word_count(), 1024),
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, surface_.links().word_count(), 1024),
                       [&](const tbb::blocked_range<std::size_t>& range) {
-                        links.for_each_between(range.begin(), range.end(),
-                                               [&](std::uint32_t source, auto targets) {
-                                                 for (const std::uint32_t ghost : targets)
-                                                   state_[ghost] = state_[source];
-                                               });
+                        carrier_.refresh_between(behaviour_, state_, range.begin(), range.end());
                       });
   }
 
@@ -111,6 +116,7 @@ class SweepStepper {
 
   const Surface& surface_;
   B behaviour_;
+  GhostCarrier<B> carrier_;
   Field<State> state_, next_;
   std::uint64_t seed_, step_;
 };

@@ -51,6 +51,8 @@ class Links {
   }
   std::size_t word_count() const { return bits_.size(); }
   std::size_t size() const { return targets_.size(); }
+  /// The targets of all sources, one source after the other: spans of `targets` and `for_each` lie in it.
+  std::span<const std::uint32_t> all_targets() const { return targets_; }
   std::size_t bytes() const;
 
  private:

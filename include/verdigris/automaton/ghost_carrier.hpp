@@ -1,0 +1,60 @@
+#pragma once
+// How a state comes from its owner to its ghosts.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "verdigris/automaton/behaviour.hpp"
+#include "verdigris/automaton/link_turns.hpp"
+#include "verdigris/surface/surface.hpp"
+
+namespace verdigris {
+
+/// Shows each ghost its owner's state: as it is, or turned for a TurningBehaviour, which costs a byte a
+/// ghost. Nothing to carry when links are projected. The surface must outlive it.
+template <Behaviour B>
+class GhostCarrier {
+ public:
+  using State = typename B::State;
+
+  explicit GhostCarrier(const Surface& surface) : surface_(surface) {
+    if constexpr (TurningBehaviour<B>)
+      if (surface.link_kind() == LinkKind::unfolded) turns_ = link_turns(surface);
+  }
+
+  /// Calls store(ghost, state it shows) for `ghosts`, the targets of a source in `state`.
+  template <typename Store>
+  [[gnu::always_inline]] void carry(const B& behaviour, std::span<const std::uint32_t> ghosts, State state,
+                                    Store&& store) const {
+    if constexpr (TurningBehaviour<B>) {
+      const auto first = static_cast<std::size_t>(ghosts.data() - surface_.links().all_targets().data());
+      for (std::size_t k = 0; k < ghosts.size(); ++k)
+        store(ghosts[k], behaviour.turned(state, turns_[first + k]));
+    } else {
+      for (const std::uint32_t ghost : ghosts) store(ghost, state);
+    }
+  }
+
+  /// The ghosts of sources among slots 64 * first_word ... 64 * last_word - 1.
+  void refresh_between(const B& behaviour, Field<State>& state, std::size_t first_word,
+                       std::size_t last_word) const {
+    surface_.links().for_each_between(first_word, last_word, [&](std::uint32_t source, auto ghosts) {
+      carry(behaviour, ghosts, state[source],
+            [&](std::uint32_t ghost, State shown) { state[ghost] = shown; });
+    });
+  }
+  void refresh(const B& behaviour, Field<State>& state) const {
+    if (surface_.link_kind() == LinkKind::unfolded)
+      refresh_between(behaviour, state, 0, surface_.links().word_count());
+  }
+
+  std::size_t bytes() const { return turns_.size(); }
+
+ private:
+  const Surface& surface_;
+  std::vector<std::uint8_t> turns_;  // [index into all_targets()]
+};
+
+}  // namespace verdigris
