@@ -1,0 +1,28 @@
+#pragma once
+// A random word for every lattice point, by arithmetic alone: tables would have to be gathered.
+
+#include <cstdint>
+
+namespace verdigris::synthesis {
+
+/// Odd constants, one an axis, that spread neighbouring cells over all words.
+inline constexpr std::uint32_t axis_key[4] = {0x9e3779b1u, 0x85ebca6bu, 0xc2b2ae35u, 0x27d4eb2fu};
+
+/// One round of mixing: shift down, multiply. What comes out is good in its upper bits.
+inline std::uint32_t mix(std::uint32_t word) {
+  word ^= word >> 15;
+  return word * 0x2c1b3c6du;
+}
+
+/// The words of a point are mixed pairwise: x and y first, so that the corners of a cell share that round.
+inline std::uint32_t plane_word(std::uint32_t seed, std::uint32_t x, std::uint32_t y) {
+  return mix((seed + x * axis_key[0]) ^ (y * axis_key[1]));
+}
+inline std::uint32_t point_word(std::uint32_t seed, std::uint32_t x, std::uint32_t y) {
+  return mix(plane_word(seed, x, y));
+}
+inline std::uint32_t point_word(std::uint32_t plane, std::uint32_t z_key) {
+  return mix(plane ^ z_key);
+}
+
+}  // namespace verdigris::synthesis
