@@ -7,6 +7,9 @@ namespace verdigris {
 PrimitiveCatalogue builtin_primitives() {
   PrimitiveCatalogue catalogue;
   add_noise(catalogue);
+  add_midpoint(catalogue);
+  add_function_systems(catalogue);
+  add_escape_time(catalogue);
   return catalogue;
 }
 

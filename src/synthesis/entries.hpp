@@ -6,5 +6,8 @@
 namespace verdigris {
 
 void add_noise(PrimitiveCatalogue& catalogue);
+void add_midpoint(PrimitiveCatalogue& catalogue);
+void add_function_systems(PrimitiveCatalogue& catalogue);
+void add_escape_time(PrimitiveCatalogue& catalogue);
 
 }  // namespace verdigris
