@@ -38,7 +38,7 @@ int main(int argc, char** argv) {
   });
   int status = 0;
   add_info(app);
-  add_voronoi(app, status);
+  add_behaviours(app, status);
   add_run(app, status);
   add_list(app);
 
@@ -50,7 +50,9 @@ int main(int argc, char** argv) {
       }
     const auto is_first = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
     if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(is_first).empty()) {
-      say("error: there is no command '{}'\n  remedy: choose info, voronoi, run or list\n", argv[1]);
+      std::vector<std::string> names;
+      for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+      say("error: there is no command '{}'\n  remedy: choose one of {}\n", argv[1], fmt::join(names, ", "));
       return bad_input;
     }
     app.parse(argc, argv);

@@ -37,15 +37,32 @@ double parse_count(const std::string& text, const char* option) {
   return value;
 }
 
-void parse_size(const std::string& text, int& width, int& height) {
+namespace {
+bool two_numbers(const std::string& text, int most, int& width, int& height) {
   const auto x = text.find('x');
   const auto whole = [&](std::size_t from, std::size_t to, int& value) {
     const auto [end, error] = std::from_chars(text.data() + from, text.data() + to, value);
-    return error == std::errc() && end == text.data() + to && value >= 1 && value <= 8192;
+    return error == std::errc() && end == text.data() + to && value >= 1 && value <= most;
   };
-  if (x == std::string::npos || !whole(0, x, width) || !whole(x + 1, text.size(), height))
+  return x != std::string::npos && whole(0, x, width) && whole(x + 1, text.size(), height);
+}
+}  // namespace
+
+void parse_size(const std::string& text, int& width, int& height) {
+  if (!two_numbers(text, 8192, width, height))
     throw InputError("--size", fmt::format("'{}' is no picture size", text),
                      "write WIDTHxHEIGHT in pixels, up to 8192, as in 1280x960");
+}
+
+void parse_torus(const std::string& text, int& width, int& height) {
+  if (!two_numbers(text, 1 << 20, width, height))
+    throw InputError("--torus", fmt::format("'{}' is no size of a grid", text),
+                     "write WIDTHxHEIGHT in cells, as in 4096x4096");
+}
+
+std::string short_text(const verdigris::ParameterValue& value) {
+  const auto* number = std::get_if<double>(&value);
+  return number != nullptr ? fmt::format("{:.4g}", *number) : std::get<std::string>(value);
 }
 
 void add_surface_options(CLI::App& app, Scene& scene, SurfaceOptionTexts& texts) {
@@ -108,6 +125,7 @@ void add_run_options(CLI::App& app, RunOptions& options) {
   app.add_flag("--resume", options.resume,
                "Go on from the checkpoint in the directory; all but --steps, --threads and the picture "
                "must be as it was then");
+  app.add_flag("--no-cells", options.no_cells, "Do not write cells.vtp (48 bytes and more a cell)");
   app.add_flag("--json", options.json, "Report as one JSON object on standard output");
   app.add_flag("--quiet,-q", options.quiet, "No progress and no report");
 }

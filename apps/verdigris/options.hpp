@@ -12,6 +12,7 @@ struct RunOptions {
   std::string out = "verdigris-out";
   int threads = 0;               ///< 0: all cores
   std::string checkpoint_every;  ///< see parse_interval; empty: only when stopped
+  bool no_cells = false;         ///< do not write cells.vtp
   bool resume = false;           ///< go on from the checkpoint in `out`
   bool json = false;
   bool quiet = false;
@@ -22,6 +23,12 @@ double parse_count(const std::string& text, const char* option);
 
 /// WxH, as in 1280x960. Throws InputError.
 void parse_size(const std::string& text, int& width, int& height);
+
+/// WxH in cells, as in 4096x4096. Throws InputError.
+void parse_torus(const std::string& text, int& width, int& height);
+
+/// A parameter's value for help texts: numbers to four digits.
+std::string short_text(const verdigris::ParameterValue& value);
 
 /// --cells, --cell-size, --links, --mend. The text of --cells goes through parse_count in
 /// `finish_surface_options`.
@@ -46,4 +53,4 @@ void add_run_options(CLI::App& app, RunOptions& options);
 void add_info(CLI::App& app);
 void add_list(CLI::App& app);
 void add_run(CLI::App& app, int& status);
-void add_voronoi(CLI::App& app, int& status);
+void add_behaviours(CLI::App& app, int& status);

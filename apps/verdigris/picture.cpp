@@ -2,17 +2,19 @@
 
 #include <algorithm>
 
+#include <glm/vec4.hpp>
+
 #include "verdigris/base/error.hpp"
+#include "verdigris/io/write_png.hpp"
+#include "verdigris/picture/palette.hpp"
+#include "verdigris/picture/regions.hpp"
+#include "verdigris/surface/flat_torus.hpp"
 
 #ifdef VERDIGRIS_WITH_GL
 #include "verdigris/gl/renderer.hpp"
-#include "verdigris/io/write_png.hpp"
-#include "verdigris/picture/regions.hpp"
 #endif
 
 using namespace verdigris;
-
-#ifdef VERDIGRIS_WITH_GL
 
 namespace {
 
@@ -32,7 +34,42 @@ std::vector<Rgba8> scalar_colours(const Surface& surface, const Field<std::int32
   return colours;
 }
 
+std::vector<Rgba8> colours_of(const Surface& surface, const Field<std::int32_t>& values, bool labels,
+                              bool outline) {
+  return labels
+             ? colour_labels(surface, values, label_colours(surface, values), LabelStyle{.outlines = outline})
+             : scalar_colours(surface, values);
+}
+
 }  // namespace
+
+void write_torus_picture(const std::filesystem::path& file, const Surface& surface,
+                         const Field<std::int32_t>& values, bool labels, const TorusPlan& torus) {
+  constexpr std::uint32_t good = 1024, most = 4096;
+  const std::uint32_t larger = std::max(torus.width, torus.height);
+  const std::uint32_t up = std::max(1u, good / larger), down = (larger + most - 1) / most;
+  const std::vector<Rgba8> colours = colours_of(surface, values, labels, false);
+  const std::uint32_t across = (torus.width + down - 1) / down, high = (torus.height + down - 1) / down;
+  std::vector<glm::vec4> sums(std::size_t{across} * high, glm::vec4(0.0f));
+  for (std::uint32_t r = 0; r < surface.rows().size(); ++r)
+    for (std::uint32_t slot = surface.owned(r).begin; slot < surface.owned(r).end; ++slot) {
+      const TorusCell cell = torus_cell(surface, slot, torus.width, torus.height);
+      // The first row of an image is the highest.
+      const std::uint32_t row = (torus.height - 1 - cell.y) / down;
+      sums[std::size_t{row} * across + cell.x / down] += glm::vec4(to_linear(colours[slot]), 1.0f);
+    }
+  Image image{static_cast<int>(across * up), static_cast<int>(high * up), {}};
+  image.rgba.reserve(sums.size() * up * up * 4);
+  for (std::uint32_t y = 0; y < high * up; ++y)
+    for (std::uint32_t x = 0; x < across * up; ++x) {
+      const glm::vec4 sum = sums[std::size_t{y / up} * across + x / up];
+      const Rgba8 colour = from_linear(glm::vec3(sum) / sum.w);
+      image.rgba.insert(image.rgba.end(), {colour.r, colour.g, colour.b, colour.a});
+    }
+  write_png(image, file);
+}
+
+#ifdef VERDIGRIS_WITH_GL
 
 void check_picture(const PicturePlan& plan) {
   if (plan.up != "y" && plan.up != "z")
@@ -48,9 +85,7 @@ void write_picture(const std::filesystem::path& file, const Surface& surface,
   settings.width = plan.width;
   settings.height = plan.height;
   const Camera camera = frame_mesh(surface.mesh(), plan.view, settings);
-  const std::vector<Rgba8> colours = labels ? colour_labels(surface, values, label_colours(surface, values),
-                                                            LabelStyle{.outlines = plan.outline})
-                                            : scalar_colours(surface, values);
+  const std::vector<Rgba8> colours = colours_of(surface, values, labels, plan.outline);
   RenderOptions options;
   options.cache_bytes = 0;  // one picture: no geometry is kept for a next one
   write_png(render(surface, colours, camera, options), file);

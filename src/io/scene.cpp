@@ -122,6 +122,19 @@ class Table {
   const toml::table* table_ = nullptr;
 };
 
+void read_torus(const Table& mesh, TorusPlan& torus) {
+  mesh.whole("patch", torus.patch, 4, 1 << 20);
+  const toml::array* size = mesh.array("torus");
+  if (size == nullptr) {
+    if (mesh.find("patch") != nullptr)
+      mesh.fail(*mesh.find("patch"), "mesh.patch is for a torus", "write torus = [4096, 4096], or remove it");
+    return;
+  }
+  if (size->size() != 2) mesh.fail(*size, "mesh.torus is no size", "write [width, height] in cells");
+  torus.width = static_cast<std::uint32_t>(mesh.whole_of(*size->get(0), "torus", 4, 1 << 20));
+  torus.height = static_cast<std::uint32_t>(mesh.whole_of(*size->get(1), "torus", 4, 1 << 20));
+}
+
 void read_seeds(const Table& seeds, const std::filesystem::path& base, SeedPlan& plan) {
   seeds.only({"count", "points", "file", "vertices", "weights"});
   seeds.whole("count", plan.count, 1, most_whole);
@@ -174,18 +187,22 @@ Scene read_scene(const std::filesystem::path& file) {
                        "the tables are: verdigris, mesh, surface, behaviour, seeds, barrier, run, picture");
 
   Scene scene;
+  scene.file = file;
   const std::filesystem::path base = file.parent_path();
   const Table about(file, root, "verdigris");
   about.only({"version"});
 
   const Table mesh(file, root, "mesh");
-  mesh.only({"file", "hash", "mend"});
+  mesh.only({"file", "hash", "mend", "torus", "patch"});
   std::string mesh_file;
   mesh.text("file", mesh_file);
-  if (mesh_file.empty())
+  read_torus(mesh, scene.torus);
+  if (scene.torus.width != 0 && !mesh_file.empty())
+    mesh.fail(mesh.raw(), "both a file and a torus are given", "keep one of them");
+  if (scene.torus.width == 0 && mesh_file.empty())
     throw InputError(file.string(), "no mesh is named",
                      "write [mesh] and file = \"model.obj\"; the path is relative to the scene");
-  scene.mesh = base / mesh_file;
+  if (!mesh_file.empty()) scene.mesh = base / mesh_file;
   mesh.text("hash", scene.mesh_hash);
   mesh.flag("mend", scene.mend);
 
@@ -279,8 +296,12 @@ void write_scene(const std::filesystem::path& file, const Scene& scene) {
   std::string text =
       fmt::format("# Repeat this run, to the bit: verdigris run {}\n\n", file.filename().string());
   text += fmt::format("[verdigris]\nversion = {}\n\n", quoted(VERDIGRIS_VERSION));
-  text += fmt::format("[mesh]\nfile = {}\nhash = {}\nmend = {}\n\n", path_from(file, scene.mesh),
-                      quoted(scene.mesh_hash), scene.mend);
+  if (scene.torus.width != 0)
+    text += fmt::format("[mesh]\ntorus = [{}, {}]\npatch = {}\n\n", scene.torus.width, scene.torus.height,
+                        scene.torus.patch);
+  else
+    text += fmt::format("[mesh]\nfile = {}\nhash = {}\nmend = {}\n\n", path_from(file, scene.mesh),
+                        quoted(scene.mesh_hash), scene.mend);
   text += "[surface]\n";
   text += scene.cell_size > 0.0 ? fmt::format("cell_size = {}\n", exact(scene.cell_size))
                                 : fmt::format("cells = {}\n", exact(scene.cells));

@@ -20,6 +20,8 @@ struct SeedPlan {
   std::vector<WeightedPoint> points;    ///< label k starts at the cell nearest to points[k]
   std::vector<std::uint32_t> vertices;  ///< label k starts at this vertex, counted from 0 in file order
   std::vector<double> weights;          ///< speed of label k, for `count` and `vertices`; empty: all 1
+
+  bool empty() const { return count == 0 && points.empty() && vertices.empty(); }
 };
 
 /// Where growth must not go.
@@ -28,6 +30,12 @@ struct BarrierPlan {
   std::filesystem::path mask;  ///< numbers, one for each vertex or face of the file; empty: none
   std::string mask_on;         ///< "vertices" or "faces"; empty: told by how many numbers there are
   double threshold = 0.5;      ///< cells whose mask is at least this are not covered
+};
+
+/// A flat, periodic grid in place of a model; see make_flat_torus.
+struct TorusPlan {
+  std::uint32_t width = 0, height = 0;  ///< cells; 0: there is a model
+  std::uint32_t patch = 64;             ///< length of its triangles, cells
 };
 
 /// What to draw.
@@ -41,7 +49,9 @@ struct PicturePlan {
 
 /// Everything a run depends on. Read, run and written again it gives the same result to the bit.
 struct Scene {
+  std::filesystem::path file;  ///< that it was read from, for messages; empty: from options
   std::filesystem::path mesh;
+  TorusPlan torus;        ///< instead of a mesh
   std::string mesh_hash;  ///< expected mesh_hash(); empty: any
   bool mend = false;
   double cells = 1e6;      ///< target count of cells, when cell_size is 0

@@ -1,0 +1,75 @@
+#include "results.hpp"
+
+#include <variant>
+
+#include "picture.hpp"
+#include "verdigris/io/write_cells.hpp"
+
+using namespace verdigris;
+
+const std::vector<std::string>& result_files() {
+  static const std::vector<std::string> files{"cells.vtp", "regions.csv", "curve.csv",
+                                              "run.toml",  "picture.png", "checkpoint.vgc"};
+  return files;
+}
+
+Results write_results(const std::filesystem::path& out, const Surface& surface,
+                      const AnySimulation& simulation, const PlacedSeeds& placed, bool cells) {
+  Results results;
+  std::vector<std::variant<Field<std::int32_t>, Field<float>>> fields;
+  for (const FieldInfo& info : simulation.fields()) {
+    if (!cells && info.kind == FieldKind::quantity) continue;
+    if (info.real)
+      fields.emplace_back(simulation.real_field(info.name));
+    else
+      fields.emplace_back(simulation.field(info.name));
+    if (info.kind == FieldKind::label) {
+      const auto regions =
+          measure_regions(surface, std::get<Field<std::int32_t>>(fields.back()), placed.seeds.size());
+      std::vector<glm::dvec3> positions;
+      for (const Seed& seed : placed.seeds) positions.push_back(surface.position(seed.slot));
+      write_regions_csv(out / "regions.csv", regions, positions);
+      results.files.push_back("regions.csv");
+      results.unreached = surface.owned_count();
+      for (const Region& region : regions) results.unreached -= region.cells;
+    }
+    if (info.kind == FieldKind::arrival) {
+      const auto curve = arrival_curve(surface, std::get<Field<std::int32_t>>(fields.back()));
+      write_curve_csv(out / "curve.csv", curve, surface.owned_count());
+      results.files.push_back("curve.csv");
+    }
+  }
+  if (cells) {
+    std::vector<CellArray> arrays;
+    for (std::size_t k = 0; k < fields.size(); ++k)
+      std::visit(
+          [&](const auto& field) {
+            arrays.push_back({simulation.fields()[k].name, &field});
+          },
+          fields[k]);
+    write_cells_vtp(out / "cells.vtp", surface, arrays);
+    results.files.insert(results.files.begin(), "cells.vtp");
+  } else {
+    // One of an earlier run would not be of these cells.
+    std::error_code ignored;
+    std::filesystem::remove(out / "cells.vtp", ignored);
+  }
+  return results;
+}
+
+// Regions that end at a barrier touch all the same: for the picture no edge bars the view to the other side.
+void draw_results(const std::filesystem::path& out, const Surface& surface, const AnySimulation& simulation,
+                  const Scene& scene) {
+  const FieldInfo info = simulation.fields().front();
+  const bool labels = info.kind == FieldKind::label;
+  Field<std::int32_t> values = simulation.field(info.name);
+  const std::filesystem::path file = out / "picture.png";
+  if (scene.torus.width != 0) return write_torus_picture(file, surface, values, labels, scene.torus);
+  if (surface.barred_edges().empty() || scene.links == LinkKind::projected)
+    return write_picture(file, surface, values, labels, scene.picture);
+  const Surface open = make_surface(surface.mesh(), {scene.cell_size, scene.links});
+  open.links().for_each([&](std::uint32_t source, auto ghosts) {
+    for (const std::uint32_t ghost : ghosts) values[ghost] = values[source];
+  });
+  write_picture(file, open, values, labels, scene.picture);
+}

@@ -1,0 +1,27 @@
+#pragma once
+// The second half of a run: what came of it, written into a directory.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "start.hpp"
+#include "verdigris/automaton/simulation.hpp"
+
+/// Files of an output directory that a run writes or takes away.
+const std::vector<std::string>& result_files();
+
+/// What was written beside what was found out on the way.
+struct Results {
+  std::vector<std::string> files;
+  std::uint64_t unreached = 0;  ///< cells without a label, for behaviours that give some
+};
+
+/// cells.vtp (unless not wanted), regions.csv for a field of labels, curve.csv for one of arrivals.
+Results write_results(const std::filesystem::path& out, const verdigris::Surface& surface,
+                      const verdigris::AnySimulation& simulation, const PlacedSeeds& placed, bool cells);
+
+/// picture.png of the simulation's first field.
+void draw_results(const std::filesystem::path& out, const verdigris::Surface& surface,
+                  const verdigris::AnySimulation& simulation, const verdigris::Scene& scene);
