@@ -19,6 +19,17 @@ struct Landing {
   Motion motion;     ///< from the plane of the start to the plane of `patch`
 };
 
+/// A straight line over the surface, cut at the edges that it crosses.
+struct Trace {
+  struct Piece {
+    std::uint32_t patch;
+    glm::dvec2 from, to;  ///< in the plane of `patch`
+  };
+  std::vector<Piece> pieces;  ///< one at least
+  Motion motion;              ///< from the plane of the first piece to that of the last
+  bool whole = true;          ///< it goes all the way; otherwise it ends on an edge that cannot be crossed
+};
+
 /// The triangles' planes and which of their edges can be crossed; refers to arrays that must outlive it.
 class Unfolding {
  public:
@@ -47,7 +58,14 @@ class Unfolding {
   std::optional<Landing> walk(std::uint32_t patch, glm::dvec2 start, glm::dvec2 end,
                               int most_crossings = 4096) const;
 
+  /// The line itself: as `walk`, but it ends at a boundary or barrier, or after `most_crossings`.
+  Trace trace(std::uint32_t patch, glm::dvec2 start, glm::dvec2 end, int most_crossings = 1 << 20) const;
+
  private:
+  // The edge by which the line from `start` to `point`, come in by edge `entered` (-1: it began here), leaves
+  // a triangle; -1 when `point` lies in it.
+  static int exit_edge(const Frame& frame, int entered, glm::dvec2 start, glm::dvec2 point);
+
   std::span<const Frame> frames_;
   const Adjacency& adjacency_;
   const std::vector<bool>& barrier_;

@@ -1,0 +1,95 @@
+// Lines on the surface brought to its cells.
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <unordered_set>
+
+#include "verdigris/exposure/surface_turtle.hpp"
+#include "verdigris/surface/walk.hpp"
+
+namespace verdigris {
+
+namespace {
+
+// Calls visit(place, direction, width, length so far) at `first`, `first + spacing`, ... along a line.
+template <typename Visit>
+void sample(const Surface& surface, const SurfaceLine& line, double spacing, Visit&& visit) {
+  double next = 0.0, length = 0.0;
+  for (std::size_t k = 1; k < line.points.size(); ++k) {
+    // Point k - 1 as seen from the triangle of point k: on the edge between, or in the same triangle.
+    const SurfacePoint& to = line.points[k];
+    const glm::dvec2 from = line.points[k - 1].triangle == to.triangle
+                                ? line.points[k - 1].point
+                                : surface.frame(to.triangle).to_plane(line.positions[k - 1]);
+    const double piece = glm::distance(from, to.point);
+    const glm::dvec2 direction = piece > 0.0 ? (to.point - from) / piece : glm::dvec2(1.0, 0.0);
+    const bool last = k + 1 == line.points.size();
+    for (; next < length + piece || (last && next <= length + piece); next += spacing) {
+      const double t = piece > 0.0 ? (next - length) / piece : 0.0;
+      visit(SurfacePoint{to.triangle, from + (next - length) * direction}, direction,
+            line.widths[k - 1] + t * (line.widths[k] - line.widths[k - 1]));
+    }
+    length += piece;
+  }
+}
+
+}  // namespace
+
+std::vector<LineCell> cells_of(const Surface& surface, const SurfaceDrawing& drawing) {
+  const std::vector<bool> no_barrier;
+  const Unfolding unfolding(surface.frames(), surface.adjacency(), no_barrier);
+  const double spacing = 0.5 * surface.cell_size();
+  std::vector<LineCell> cells;
+  for (const SurfaceLine& line : drawing.lines)
+    sample(surface, line, spacing, [&](const SurfacePoint& at, const glm::dvec2& direction, double width) {
+      const glm::dvec2 across(-direction.y, direction.x);
+      const int aside = static_cast<int>(0.5 * width / spacing);
+      for (int k = -aside; k <= aside; ++k) {
+        SurfacePoint place = at;
+        if (k != 0) {
+          const auto landing = unfolding.walk(at.triangle, at.point, at.point + k * spacing * across);
+          if (!landing) continue;
+          place = {landing->patch, landing->point};
+        }
+        const auto slot = cell_at(surface, place);
+        if (slot) cells.push_back({*slot, line.generation, width});
+      }
+    });
+  std::sort(cells.begin(), cells.end(), [](const LineCell& a, const LineCell& b) { return a.slot < b.slot; });
+  std::size_t kept = 0;
+  for (const LineCell& cell : cells) {
+    if (kept > 0 && cells[kept - 1].slot == cell.slot) {
+      cells[kept - 1].generation = std::min(cells[kept - 1].generation, cell.generation);
+      cells[kept - 1].width = std::max(cells[kept - 1].width, cell.width);
+    } else {
+      cells[kept++] = cell;
+    }
+  }
+  cells.resize(kept);
+  return cells;
+}
+
+Field<float> mask_of(const Surface& surface, std::span<const LineCell> cells, float value) {
+  Field<float> mask(surface.slot_count(), 0.0f);
+  for (const LineCell& cell : cells) mask[cell.slot] = value;
+  return mask;
+}
+
+std::vector<Seed> seeds_along(const Surface& surface, const SurfaceDrawing& drawing, double spacing) {
+  double widest = 0.0;
+  for (const SurfaceLine& line : drawing.lines)
+    for (const double width : line.widths) widest = std::max(widest, width);
+  std::vector<Seed> seeds;
+  std::unordered_set<std::uint32_t> taken;
+  for (const SurfaceLine& line : drawing.lines)
+    sample(surface, line, std::max(spacing, 0.5 * surface.cell_size()),
+           [&](const SurfacePoint& at, const glm::dvec2&, double width) {
+             const auto slot = cell_at(surface, at);
+             if (slot && taken.insert(*slot).second)
+               seeds.push_back({*slot, widest > 0.0 ? width / widest : 1.0});
+           });
+  return seeds;
+}
+
+}  // namespace verdigris
