@@ -10,6 +10,7 @@ PrimitiveCatalogue builtin_primitives() {
   add_midpoint(catalogue);
   add_function_systems(catalogue);
   add_escape_time(catalogue);
+  add_lsystems(catalogue);
   return catalogue;
 }
 
