@@ -36,12 +36,11 @@ inline float along_gradient(std::uint32_t word, float x, float y) {
   const float u = (word & 0x20000000u) != 0 ? x : y, v = (word & 0x20000000u) != 0 ? y : x;
   return signed_by<31>(0.92387953f * u, word) + signed_by<30>(0.38268343f * v, word);
 }
-/// 3D: the middles of a cube's twelve edges, four of them twice.
+/// 3D: the middles of a cube's twelve edges, one axis left out in a third of all cases each. (Sixteen choices
+/// with four of the twelve repeated, as in 2002, make slopes along y a tenth steeper.)
 inline float along_gradient(std::uint32_t word, float x, float y, float z) {
-  const std::uint32_t choice = word >> 28;
-  const float u = choice < 8 ? x : y;
-  const float v = choice < 4 ? y : (choice & 13u) == 12u ? x : z;
-  return signed_by<27>(u, word) + signed_by<26>(v, word);
+  const float u = word < 0x55555555u ? y : x, v = word < 0xaaaaaaaau ? z : y;
+  return signed_by<16>(u, word) + signed_by<15>(v, word);
 }
 /// 4D: one axis left out, the others by sign.
 inline float along_gradient(std::uint32_t word, float x, float y, float z, float w) {

@@ -26,12 +26,20 @@ class OneOctave final : public ScalarField {
 
 }  // namespace
 
-std::unique_ptr<ScalarField> GradientNoise::make(std::uint64_t seed) const {
+std::unique_ptr<ScalarField> synthesis::one_octave(const NoiseLattice& lattice, std::uint64_t seed) {
   return std::make_unique<OneOctave>(lattice, seed);
 }
 
+std::unique_ptr<ScalarField> GradientNoise::make(std::uint64_t seed) const {
+  NoiseLattice own = lattice;
+  own.basis = "gradient";
+  return one_octave(own, seed);
+}
+
 std::unique_ptr<ScalarField> ValueNoise::make(std::uint64_t seed) const {
-  return std::make_unique<OneOctave>(lattice, seed);
+  NoiseLattice own = lattice;
+  own.basis = "value";
+  return one_octave(own, seed);
 }
 
 }  // namespace verdigris

@@ -23,8 +23,7 @@ template <typename Shape>
 float octave_mean(const NoiseLattice& lattice, std::uint64_t seed, Shape&& shape) {
   NoiseLattice endless = lattice;
   endless.period = 0.0;
-  const auto octave = GradientNoise{endless}.make(seed);  // of either basis
-  return sampled_mean(*octave, 1.0 / lattice.frequency, shape);
+  return sampled_mean(*one_octave(endless, seed), 1.0 / lattice.frequency, shape);
 }
 
 /// `Rule` has `void start(float* value, float* weight) const`, all octaves' beginning, and

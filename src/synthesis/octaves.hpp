@@ -27,4 +27,7 @@ class OctaveSet {
   std::vector<LatticeOctave> octaves_;
 };
 
+/// One octave as a field, of either basis.
+std::unique_ptr<ScalarField> one_octave(const NoiseLattice& lattice, std::uint64_t seed);
+
 }  // namespace verdigris::synthesis

@@ -36,7 +36,7 @@ struct NoiseLattice {
 struct GradientNoise {
   static constexpr const char *name = "gradient", *summary = "gradient noise (Perlin), one octave";
   static constexpr int dimension = 4;
-  NoiseLattice lattice{.frequency = 8.0};
+  NoiseLattice lattice{.frequency = 8.0};  ///< its basis is gradient noise, whatever it says
 
   template <typename V>
   void parameters(V&& v) {
@@ -50,7 +50,7 @@ struct GradientNoise {
 struct ValueNoise {
   static constexpr const char *name = "value", *summary = "value noise, one octave";
   static constexpr int dimension = 4;
-  NoiseLattice lattice{.basis = "value", .frequency = 8.0};
+  NoiseLattice lattice{.basis = "value", .frequency = 8.0};  ///< its basis is value noise, whatever it says
 
   template <typename V>
   void parameters(V&& v) {
