@@ -50,6 +50,15 @@ concept FrontBehaviour = Behaviour<B> &&
   { b.waits(n) } -> std::same_as<bool>;
 };
 
+/// A behaviour without random numbers or a clock: where nothing in a neighbourhood has changed in a step, the
+/// cell will not change in the next. It can be run on active rows.
+template <typename B>
+concept RestingBehaviour = Behaviour<B> && B::rests;
+
+/// What can be run on active rows.
+template <typename B>
+concept ActiveBehaviour = RestingBehaviour<B> || FrontBehaviour<B>;
+
 /// A FrontBehaviour whose states carry the step they were made in, so that a step may be done in place:
 /// `next` takes a neighbour that changed in this very step for what it was before, what changes is settled,
 /// and a cell beside a changed one waits.
@@ -65,6 +74,14 @@ concept WakingBehaviour = FrontBehaviour<B> &&
     requires(const B& b, const Neighbourhood<typename B::State>& n, typename B::State s) {
   { b.wakes(s, s) } -> std::same_as<bool>;
   { b.quiet(n) } -> std::same_as<bool>;
+};
+
+/// A FrontBehaviour whose cells may lie still for a known time. `alarm(s)`: the step in which a cell in state
+/// s has to be looked at again though nothing around it changes and it does not wait; 0: none.
+template <typename B>
+concept TimedBehaviour =
+    FrontBehaviour<B> && !StampedBehaviour<B> && requires(const B& b, typename B::State s) {
+  { b.alarm(s) } -> std::same_as<std::uint64_t>;
 };
 
 /// A behaviour whose states hold directions. A ghost lies in another frame than its owner: it shows

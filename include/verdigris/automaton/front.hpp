@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "verdigris/automaton/alarms.hpp"
 #include "verdigris/automaton/behaviour.hpp"
 #include "verdigris/automaton/ghost_carrier.hpp"
 #include "verdigris/automaton/pairs.hpp"
@@ -23,8 +24,8 @@ namespace verdigris {
 /// Runs a FrontBehaviour. A step evaluates the *candidates* (cells near a change, cells that wait), then
 /// applies the changes and makes their neighbours candidates; ghosts carry a change across edges at once. A
 /// StampedBehaviour does both in one pass, while the cells are at hand; a WakingBehaviour makes candidates
-/// only where a change wakes. One state buffer, one bit a slot beside it. The same bits as SweepStepper. The
-/// surface must outlive it.
+/// only where a change wakes, a TimedBehaviour also when an alarm goes off. One state buffer, one bit a slot
+/// beside it. The same bits as SweepStepper. The surface must outlive it.
 template <FrontBehaviour B>
 class FrontStepper {
  public:
@@ -52,6 +53,7 @@ class FrontStepper {
         }
       }
     unmark_unsettled();
+    set_alarms();
     if (sources.empty()) {
       consider_all();
       return;
@@ -73,14 +75,23 @@ class FrontStepper {
     carrier_.refresh(behaviour_, state_);
     for (const std::uint32_t slot : restart.merged) merges_.emplace_back(slot, state_[slot]);
     unmark_unsettled();
+    set_alarms();
     consider_all();
   }
 
   /// No cell can change any more.
-  bool finished() const { return candidates_.empty() && merges_.empty(); }
+  bool finished() const {
+    if (!candidates_.empty() || !merges_.empty()) return false;
+    if constexpr (TimedBehaviour<B>)
+      return !alarms_.any([&](std::uint32_t slot) { return behaviour_.alarm(state_[slot]) > step_; });
+    return true;
+  }
 
   StepReport step() {
     if constexpr (SteppedBehaviour<B>) behaviour_.begin_step(step_ + 1);
+    alarms_.take([&](std::uint32_t slot) {
+      if (marks_.test_and_mark<false>(slot, 1u) != 0) candidates_.push({surface_.row_of(slot), slot});
+    });
     StepReport report{step_ + 1, 0, candidates_.size()};
     // Small fronts are done before a second thread wakes.
     if (candidates_.size() < 2 * task_size || surface_.link_kind() == LinkKind::projected ||
@@ -89,6 +100,8 @@ class FrontStepper {
     else
       parallel_step(report);
     ++step_;
+    if constexpr (TimedBehaviour<B>)
+      visit_changes([&](std::uint32_t slot, State state) { set_alarm(slot, state); });
     return report;
   }
 
@@ -99,6 +112,7 @@ class FrontStepper {
       carrier_.carry(behaviour_, surface_.links().targets(slot), state,
                      [&](std::uint32_t ghost, State shown) { state_[ghost] = shown; });
     wake(slot);
+    set_alarm(slot, state);
   }
 
   /// Calls visit(slot, state) for each cell that changed in the last step, in no order that means anything.
@@ -121,7 +135,7 @@ class FrontStepper {
   const B& behaviour() const { return behaviour_; }
   /// Bytes of state, marks and lists.
   std::size_t bytes() const {
-    std::size_t sum = state_.capacity() * sizeof(State) + marks_.bytes() + carrier_.bytes();
+    std::size_t sum = state_.capacity() * sizeof(State) + marks_.bytes() + carrier_.bytes() + alarms_.bytes();
     sum += candidates_.bytes() + next_.bytes() + changes_.bytes();
     for (const auto& list : task_changes_) sum += list.bytes();
     for (const auto& list : task_next_) sum += list.bytes();
@@ -336,6 +350,19 @@ class FrontStepper {
     spread_to_targets<false>(slot, candidates_);
   }
 
+  // Alarms of the next step are not needed after a change: what changed is a candidate then.
+  void set_alarm(std::uint32_t slot, State state) {
+    if constexpr (TimedBehaviour<B>) {
+      const std::uint64_t step = behaviour_.alarm(state);
+      if (step > step_ + 1) alarms_.set(slot, step - step_ - 1);
+    }
+  }
+  void set_alarms() {
+    if constexpr (TimedBehaviour<B>)
+      for (const Row& row : surface_.rows())
+        for (std::uint32_t slot = row.run_begin; slot < row.run_end; ++slot) set_alarm(slot, state_[slot]);
+  }
+
   void unmark_unsettled() {
     for (const Row& row : surface_.rows())
       marks_.unmark_between(row.run_begin, row.run_end,
@@ -365,6 +392,7 @@ class FrontStepper {
   Field<State> state_;
   std::uint64_t seed_, step_;
   SlotMarks marks_;
+  Alarms alarms_;
   Places candidates_, next_;
   Changes changes_;
   std::vector<Changes> task_changes_;

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "verdigris/automaton/active.hpp"
 #include "verdigris/automaton/front.hpp"
 #include "verdigris/automaton/saved_state.hpp"
 #include "verdigris/automaton/sweep.hpp"
@@ -18,7 +19,7 @@
 
 namespace verdigris {
 
-/// The stepping that suits a behaviour: from its front where it can, else by full sweeps.
+/// The stepping that suits what a behaviour declares: from its front, on active rows, else by full sweeps.
 template <Behaviour B>
 struct StepperOf {
   using type = SweepStepper<B>;
@@ -26,6 +27,10 @@ struct StepperOf {
 template <FrontBehaviour B>
 struct StepperOf<B> {
   using type = FrontStepper<B>;
+};
+template <RestingBehaviour B>
+requires(!FrontBehaviour<B>) struct StepperOf<B> {
+  using type = ActiveStepper<B>;
 };
 template <Behaviour B>
 using Simulation = typename StepperOf<B>::type;

@@ -11,6 +11,7 @@
 #include "verdigris/automaton/behaviour.hpp"
 #include "verdigris/automaton/ghost_carrier.hpp"
 #include "verdigris/automaton/pairs.hpp"
+#include "verdigris/automaton/row_evaluation.hpp"
 #include "verdigris/surface/surface.hpp"
 
 namespace verdigris {
@@ -49,7 +50,11 @@ class SweepStepper {
         tbb::blocked_range<std::size_t>(0, rows.size(), 64), Counts{},
         [&](const tbb::blocked_range<std::size_t>& range, Counts counts) {
           for (std::size_t r = range.begin(); r < range.end(); ++r)
-            sweep_row(static_cast<std::uint32_t>(r), counts);
+            if (rows[r].run_begin != rows[r].run_end) {
+              counts.changed += evaluate_row(surface_, static_cast<std::uint32_t>(r), behaviour_,
+                                             state_.data(), next_.data(), seed_, step_ + 1);
+              counts.visited += rows[r].run_end - rows[r].run_begin;
+            }
           return counts;
         },
         [](Counts a, Counts b) {
@@ -81,20 +86,6 @@ class SweepStepper {
   struct Counts {
     std::uint64_t changed = 0, visited = 0;
   };
-
-  void sweep_row(std::uint32_t r, Counts& counts) {
-    const Row* row = surface_.rows().data() + r;
-    const Row &below = row[-1], &above = row[1];
-    const State* old = state_.data();
-    for (std::uint32_t slot = row->run_begin; slot < row->run_end; ++slot) {
-      const std::uint32_t column = slot - row->base;
-      const Neighbourhood<State> n{old + static_cast<std::uint32_t>(below.base + column), old + slot,
-                                   old + static_cast<std::uint32_t>(above.base + column)};
-      next_[slot] = behaviour_.next(n, CellRandom(seed_, step_ + 1, slot));
-      counts.changed += next_[slot] != old[slot];
-    }
-    counts.visited += row->run_end - row->run_begin;
-  }
 
   void refresh_ghosts() {
     if (surface_.link_kind() != LinkKind::unfolded) return;

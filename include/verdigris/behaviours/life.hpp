@@ -1,7 +1,9 @@
 #pragma once
 // Life-like behaviours: two states, birth and survival by the number of live neighbours.
 
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -37,6 +39,7 @@ const std::vector<std::pair<std::string, std::string>>& life_rule_names();
 /// dead.
 struct LifeBehaviour {
   using State = std::uint8_t;
+  static constexpr bool rests = true;
   LifeRule rule;
 
   State outside() const { return 0; }
@@ -45,6 +48,26 @@ struct LifeBehaviour {
     if (rule.neighbourhood == LifeNeighbourhood::moore)
       live += n.below[-1] + n.below[1] + n.above[-1] + n.above[1];
     return static_cast<State>(((*n.here != 0 ? rule.survival : rule.birth) >> live) & 1);
+  }
+  template <std::size_t lanes>
+  void next_lanes(const State* below, const State* here, const State* above, State* out) const {
+    typedef State Lanes __attribute__((vector_size(lanes)));  // NOLINT(modernize-use-using)
+    const auto load = [](const State* from) {
+      Lanes cells;
+      std::memcpy(&cells, from, sizeof cells);
+      return cells;
+    };
+    const Lanes centre = load(here);
+    Lanes live = load(here - 1) + load(here + 1) + load(below) + load(above), next{};
+    if (rule.neighbourhood == LifeNeighbourhood::moore)
+      live += load(below - 1) + load(below + 1) + load(above - 1) + load(above + 1);
+    for (unsigned count = 0; count <= 8; ++count) {
+      const bool born = (rule.birth >> count & 1) != 0, stays = (rule.survival >> count & 1) != 0;
+      if (!born && !stays) continue;
+      const Lanes has = reinterpret_cast<Lanes>(live == static_cast<State>(count)) & 1;
+      next |= born && stays ? has : born ? has & ~centre : has & centre;
+    }
+    std::memcpy(out, &next, sizeof next);
   }
 };
 

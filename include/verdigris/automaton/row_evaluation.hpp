@@ -1,0 +1,83 @@
+#pragma once
+// The next states of one row of cells: many at a time where the behaviour can, else one after the other.
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+
+#include "verdigris/automaton/behaviour.hpp"
+#include "verdigris/surface/surface.hpp"
+
+namespace verdigris {
+
+/// A behaviour that makes the next states of `lanes` cells side by side at once: next_lanes<lanes>(below,
+/// here, above, out), the pointers of a Neighbourhood at the first of them. Without random numbers. Loops of
+/// a fixed length that compilers make vectors of; the same states as `next`, cell by cell.
+template <typename B>
+concept LaneBehaviour = Behaviour<B> &&
+    requires(const B& b, const typename B::State* in, typename B::State* out) {
+  b.template next_lanes<8>(in, in, in, out);
+};
+
+namespace detail {
+
+/// Rows rarely have a whole number of vectors: the last one reaches back over cells already done, of which
+/// `done` are not counted again.
+template <std::size_t lanes, LaneBehaviour B>
+std::uint64_t evaluate_lanes(const B& behaviour, const Neighbourhood<typename B::State>& n,
+                             typename B::State* next, std::size_t done) {
+  behaviour.template next_lanes<lanes>(n.below, n.here, n.above, next);
+  std::uint8_t changed = 0;
+  for (std::size_t k = 0; k < lanes; ++k)
+    changed = static_cast<std::uint8_t>(changed + ((k >= done) & (next[k] != n.here[k])));
+  return changed;
+}
+
+template <std::size_t lanes, LaneBehaviour B>
+std::uint64_t evaluate_in_lanes(const B& behaviour, const Neighbourhood<typename B::State>& n,
+                                typename B::State* next, std::size_t count) {
+  std::uint64_t changed = 0;
+  const auto at = [&](std::size_t k) {
+    return Neighbourhood<typename B::State>{n.below + k, n.here + k, n.above + k};
+  };
+  std::size_t k = 0;
+  for (; k + lanes <= count; k += lanes) changed += evaluate_lanes<lanes>(behaviour, at(k), next + k, 0);
+  if (k < count)
+    changed += evaluate_lanes<lanes>(behaviour, at(count - lanes), next + count - lanes, lanes - (count - k));
+  return changed;
+}
+
+}  // namespace detail
+
+/// Writes the next states of the evolving cells of row `r` into `next`, both fields [slot]; returns how many
+/// differ from before.
+template <Behaviour B>
+std::uint64_t evaluate_row(const Surface& surface, std::uint32_t r, const B& behaviour,
+                           const typename B::State* state, typename B::State* next, std::uint64_t seed,
+                           std::uint64_t step) {
+  using State = typename B::State;
+  const Row* row = surface.rows().data() + r;
+  // Base offsets wrap around: pointers are formed from 32-bit slots.
+  const std::uint32_t below = row[-1].base - row->base, above = row[1].base - row->base;
+  const auto around = [&](std::uint32_t slot) {
+    return Neighbourhood<State>{state + static_cast<std::uint32_t>(slot + below), state + slot,
+                                state + static_cast<std::uint32_t>(slot + above)};
+  };
+  const std::size_t count = row->run_end - row->run_begin;
+  if constexpr (LaneBehaviour<B>) {
+    const auto n = around(row->run_begin);
+    State* out = next + row->run_begin;
+    if (count >= 64) return detail::evaluate_in_lanes<64>(behaviour, n, out, count);
+    if (count >= 32) return detail::evaluate_in_lanes<32>(behaviour, n, out, count);
+    if (count >= 16) return detail::evaluate_in_lanes<16>(behaviour, n, out, count);
+    if (count >= 8) return detail::evaluate_in_lanes<8>(behaviour, n, out, count);
+  }
+  std::uint64_t changed = 0;
+  for (std::uint32_t slot = row->run_begin; slot < row->run_end; ++slot) {
+    next[slot] = behaviour.next(around(slot), CellRandom(seed, step, slot));
+    changed += next[slot] != state[slot];
+  }
+  return changed;
+}
+
+}  // namespace verdigris
