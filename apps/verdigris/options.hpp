@@ -52,5 +52,6 @@ void add_run_options(CLI::App& app, RunOptions& options);
 // The commands. Each registers itself and runs from its callback.
 void add_info(CLI::App& app);
 void add_list(CLI::App& app);
+void add_lsystem(CLI::App& app);
 void add_run(CLI::App& app, int& status);
 void add_behaviours(CLI::App& app, int& status);
