@@ -52,15 +52,16 @@ struct LifeBehaviour {
   template <std::size_t lanes>
   void next_lanes(const State* below, const State* here, const State* above, State* out) const {
     typedef State Lanes __attribute__((vector_size(lanes)));  // NOLINT(modernize-use-using)
-    const auto load = [](const State* from) {
+    Lanes centre, live{}, next{};
+    std::memcpy(&centre, here, sizeof centre);
+    const auto count_in = [&](const State* from) {
       Lanes cells;
       std::memcpy(&cells, from, sizeof cells);
-      return cells;
+      live += cells;
     };
-    const Lanes centre = load(here);
-    Lanes live = load(here - 1) + load(here + 1) + load(below) + load(above), next{};
+    for (const State* from : {here - 1, here + 1, below, above}) count_in(from);
     if (rule.neighbourhood == LifeNeighbourhood::moore)
-      live += load(below - 1) + load(below + 1) + load(above - 1) + load(above + 1);
+      for (const State* from : {below - 1, below + 1, above - 1, above + 1}) count_in(from);
     for (unsigned count = 0; count <= 8; ++count) {
       const bool born = (rule.birth >> count & 1) != 0, stays = (rule.survival >> count & 1) != 0;
       if (!born && !stays) continue;
