@@ -32,7 +32,7 @@ glm::vec3 unpack_normal(PackedNormal packed) {
 }
 
 std::size_t BandMesh::bytes() const {
-  return positions.size() * sizeof(glm::vec3) + normals.size() * sizeof(PackedNormal) +
+  return (positions.size() + directions.size()) * sizeof(glm::vec3) + normals.size() * sizeof(PackedNormal) +
          (indices.strips.size() + indices.fans.size() + blend_begin.size()) * sizeof(std::uint32_t) +
          centres.size() * sizeof(CentreRun) + contours.size() * sizeof(ContourRun) +
          blends.size() * sizeof(BlendSource);
@@ -77,7 +77,7 @@ std::vector<BandRange> band_ranges(const Surface& surface, std::size_t slots) {
 class BandAssembly {
  public:
   BandAssembly(const BandBuilder& builder, BandMesh& mesh)
-      : builder_(builder), surface_(builder.surface_), mesh_(mesh) {}
+      : builder_(builder), surface_(builder.surface()), mesh_(mesh) {}
 
   void add(std::uint32_t patch, std::size_t first_band, std::size_t last_band) {
     patch_ = patch;
@@ -118,14 +118,18 @@ class BandAssembly {
     mesh_.normals.push_back(pack_normal(n == glm::vec3(0.0f) ? corner[0] : n));
   }
 
+  const glm::vec3& direction(std::uint32_t vertex) const { return builder_.directions_[vertex]; }
+  bool with_directions() const { return !builder_.directions_.empty(); }
+
   void add_corner(int k) {
     const std::uint32_t vertex = surface_.mesh().triangles[patch_][mesh_corner(k)];
     add_vertex(surface_.mesh().positions[vertex], frame_->corner(k));
+    if (with_directions()) mesh_.directions.push_back(direction(vertex));
     mesh_.blend_begin.push_back(static_cast<std::uint32_t>(mesh_.blends.size()));
     append(builder_.vertex_sources_[vertex], 1.0f);
   }
 
-  void append(const BandBuilder::Sources& sources, float factor) {
+  void append(const CellBlend& sources, float factor) {
     for (std::uint8_t k = 0; k < sources.count; ++k)
       mesh_.blends.push_back({sources.cells[k].slot, factor * sources.cells[k].weight});
   }
@@ -140,16 +144,19 @@ class BandAssembly {
       const glm::dvec2 p = glm::mix(edge.own.from, edge.own.to, point.t);
       side.push_back({p, point.row});
       add_vertex(glm::mix(edge.from, edge.to, point.t), p);
+      if (with_directions())
+        mesh_.directions.push_back(
+            glm::mix(direction(edge.low), direction(edge.high), static_cast<float>(point.t)));
       mesh_.blend_begin.push_back(static_cast<std::uint32_t>(mesh_.blends.size()));
       add_edge_sources(edge, point.t, p);
     }
   }
 
   void add_edge_sources(const SharedEdge& edge, double t, glm::dvec2 p) {
-    const BandBuilder::Sources own = builder_.sources_at(patch_, p);
-    BandBuilder::Sources other;
+    const CellBlend own = builder_.blends_.at(patch_, p);
+    CellBlend other;
     if (edge.across != Adjacency::none)
-      other = builder_.sources_at(edge.across / 3, glm::mix(edge.other.from, edge.other.to, t));
+      other = builder_.blends_.at(edge.across / 3, glm::mix(edge.other.from, edge.other.to, t));
     if (own.count == 0 && other.count == 0)
       return append(builder_.vertex_sources_[t < 0.5 ? edge.low : edge.high], 1.0f);
     const float share = own.count == 0 || other.count == 0 ? 1.0f : 0.5f;
@@ -183,6 +190,13 @@ class BandAssembly {
     for (std::int32_t i = line.columns.begin; i < line.columns.end; ++i) {
       const glm::dvec2 p = surface_.centre(line.row, i);
       add_vertex(frame_->to_model(p), p);
+      if (!with_directions()) continue;
+      const auto c = static_cast<float>(p.y / frame_->cy);
+      const auto b = static_cast<float>((p.x - p.y / frame_->cy * frame_->cx) / frame_->ab);
+      const glm::uvec3 triangle = surface_.mesh().triangles[patch_];
+      mesh_.directions.push_back((1.0f - b - c) * direction(triangle[mesh_corner(0)]) +
+                                 b * direction(triangle[mesh_corner(1)]) +
+                                 c * direction(triangle[mesh_corner(2)]));
     }
   }
 
@@ -199,12 +213,13 @@ class BandAssembly {
 };
 
 BandMesh BandBuilder::build(const BandRange& range) const {
+  const Surface& surface = blends_.surface();
   BandMesh mesh;
   if (range.last_band == 0xFFFFFFFFu && range.first_band == 0) {  // a fair guess spares half the copying
-    const std::uint32_t first = surface_.row_begin(range.first_patch),
-                        last = surface_.row_end(range.last_patch - 1);
+    const std::uint32_t first = surface.row_begin(range.first_patch),
+                        last = surface.row_end(range.last_patch - 1);
     const std::size_t slots =
-        last > first ? surface_.rows()[last - 1].run_end - surface_.rows()[first].begin : 0;
+        last > first ? surface.rows()[last - 1].run_end - surface.rows()[first].begin : 0;
     mesh.positions.reserve(slots + 16 * (range.last_patch - range.first_patch));
     mesh.normals.reserve(mesh.positions.capacity());
   }

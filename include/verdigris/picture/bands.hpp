@@ -7,17 +7,12 @@
 #include <span>
 #include <vector>
 
+#include "verdigris/picture/cell_blend.hpp"
 #include "verdigris/picture/colour.hpp"
 #include "verdigris/picture/patch_bands.hpp"
 #include "verdigris/surface/surface.hpp"
 
 namespace verdigris {
-
-/// A cell's part in the value of a contour point.
-struct BlendSource {
-  std::uint32_t slot;
-  float weight;
-};
 
 /// Consecutive vertices that are the centres of consecutive slots.
 struct CentreRun {
@@ -38,6 +33,7 @@ glm::vec3 unpack_normal(PackedNormal packed);
 struct BandMesh {
   std::vector<glm::vec3> positions;   ///< model units, relative to BandBuilder::origin
   std::vector<PackedNormal> normals;  ///< [vertex], corner normals interpolated over the triangle
+  std::vector<glm::vec3> directions;  ///< [vertex], those of the mesh interpolated; empty without relief
   BandIndices indices;
   std::vector<CentreRun> centres;
   std::vector<ContourRun> contours;
@@ -66,32 +62,26 @@ std::vector<BandRange> band_ranges(const Surface& surface, std::size_t slots = 1
 /// the nearest mesh vertex that has one. Triangles of no area give nothing.
 class BandBuilder {
  public:
-  /// `normals` [3 * triangle + corner] as corner_normals gives them. The surface shares its data and may go
-  /// out of scope.
-  BandBuilder(const Surface& surface, std::vector<glm::vec3> normals);
+  /// `normals` [3 * triangle + corner] as corner_normals gives them; `directions` [mesh vertex] as
+  /// relief_directions does, if the bands are to be relieved. The surface shares its data and may go out of
+  /// scope.
+  BandBuilder(const Surface& surface, std::vector<glm::vec3> normals, std::vector<glm::vec3> directions = {});
 
   /// Bands of a part of the surface; may be called from several threads at once.
   BandMesh build(const BandRange& range) const;
 
-  const Surface& surface() const { return surface_; }
+  const Surface& surface() const { return blends_.surface(); }
   glm::dvec3 origin() const { return origin_; }  ///< centre of the mesh bounds
 
  private:
   friend class BandAssembly;
-  /// Up to four cells; a vertex or side without value has count 0.
-  struct Sources {
-    std::array<BlendSource, 4> cells;
-    std::uint8_t count = 0;
-  };
-  Sources sources_at(std::uint32_t patch, glm::dvec2 p) const;
   void find_vertex_sources();
   void spread_vertex_sources();
 
-  Surface surface_;
-  std::vector<glm::vec3> normals_;
+  CellBlends blends_;
+  std::vector<glm::vec3> normals_, directions_;
   glm::dvec3 origin_;
-  std::vector<std::uint64_t> linked_;    // [slot / 64] bit: the slot repeats another
-  std::vector<Sources> vertex_sources_;  // [mesh vertex]
+  std::vector<CellBlend> vertex_sources_;  // [mesh vertex]; a vertex without value has count 0
 };
 
 /// Vertex colours from slot colours [slot]: copies at centres, means in linear light weighted by alpha at
