@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Every benchmark, stage by stage, then the peers that are installed (Debian: golly, libcgal-dev, libeigen3-dev).
+# Every benchmark, stage by stage, then the peers that are installed (Debian: golly, libcgal-dev, libeigen3-dev,
+# libnoise-dev).
 # Prints one table in Markdown; docs/performance.md keeps the last one. Close other programs first.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -24,15 +25,16 @@ rows() {
     /"cells\/s": / { rate = sprintf("%.3g", value($0)) }
     /"B\/cell": / { bytes = sprintf("%.2f", value($0)) }
     /"of_copy": / { share = sprintf("%.2f", value($0)) }
-    /"(triangles\/s|ghosts\/s|mislabelled|factor_s|solves_s|vertices)": / {
+    /"(triangles\/s|ghosts\/s|mislabelled|factor_s|solves_s|vertices|Msamples\/s)": / {
       key = $1; gsub(/[":]/, "", key); other = other sprintf("%s %.3g ", key, value($0)) }
     /^ *}/ { if (name != "" && ms != "") printf "| %s | %.3g | %s | %s | %s | %s |\n", name, ms, rate, bytes, share, other
              name = ms = rate = bytes = share = other = "" }'
 }
-for stage in read surface growth sweep life picture; do
+for stage in read surface growth sweep life noise picture; do
   [ -x $build/bench/bench_$stage ] && rows $build/bench/bench_$stage
 done
 rows $build/bench/peers/bench_partition
+rows $build/bench/peers/bench_peer_noise
 
 if command -v bgolly > /dev/null; then
   soup=$(mktemp -d)

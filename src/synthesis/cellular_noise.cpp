@@ -19,25 +19,26 @@ enum class Output { f1, f2, difference };
 constexpr float far_away = std::numeric_limits<float>::max();
 constexpr int last_ring = 3;  // of cells around a point: with a point in every cell F2 is never farther
 
-// A block's cells along one axis, and their words' keys.
+// A block's cells along one axis.
 struct AxisCells {
   AxisBlock block;
-  std::uint32_t key[3][lanes];  ///< of the cell below, here, above
+  std::uint32_t key_before[lanes];  ///< of the cell below
 };
 
 void split_cells(const LatticeOctave& lattice, std::size_t a, const double* x, AxisCells& cells) {
-  split_axis(lattice.axes[a], x, cells.block);
-  const std::uint32_t multiplier = axis_key[a];
+  split_axis(lattice.axes[a], a, x, cells.block);
   for (std::size_t k = 0; k < lanes; ++k) {
-    const std::uint32_t here = cells.block.below[k], below = (here == 0 ? lattice.cells : here) - 1;
-    cells.key[0][k] = below * multiplier;
-    cells.key[1][k] = here * multiplier;
-    cells.key[2][k] = cells.block.above[k] * multiplier;
+    const std::uint32_t here = cells.block.cell[k];
+    cells.key_before[k] = ((here == 0 ? lattice.cells : here) - 1) * axis_key[a];
   }
 }
 
+const std::uint32_t* keys(const AxisCells& cells, int offset) {
+  return offset < 0 ? cells.key_before : offset == 0 ? cells.block.key_below : cells.block.key_above;
+}
+
 std::uint32_t cell_word(std::uint32_t seed, std::uint32_t x_key, std::uint32_t y_key, std::uint32_t z_key) {
-  return mix(mix((seed + x_key) ^ y_key) ^ z_key);
+  return point_word(plane_word(seed, x_key, y_key), z_key);
 }
 
 template <int dimension, Metric metric>
@@ -93,11 +94,11 @@ class Cellular final : public ScalarField {
   // The neighbouring cell (x, y, z), each -1..1, of every lane.
   void look_into(const AxisCells* axes, int x, int y, int z, float* __restrict f1,
                  float* __restrict f2) const {
-    const std::uint32_t *x_key = axes[0].key[x + 1], *y_key = axes[1].key[y + 1];
+    const std::uint32_t *x_key = keys(axes[0], x), *y_key = keys(axes[1], y);
     const float *fx = axes[0].block.fraction, *fy = axes[1].block.fraction;
     const float mx = static_cast<float>(x) + 0.5f, my = static_cast<float>(y) + 0.5f;
     if constexpr (dimension == 3) {
-      const std::uint32_t* z_key = axes[2].key[z + 1];
+      const std::uint32_t* z_key = keys(axes[2], z);
       const float* fz = axes[2].block.fraction;
       const float mz = static_cast<float>(z) + 0.5f;
       for (std::size_t k = 0; k < lanes; ++k)
@@ -123,7 +124,7 @@ class Cellular final : public ScalarField {
           std::uint32_t key[3] = {0, 0, 0};
           float middle[3] = {0.0f, 0.0f, 0.0f};
           for (std::size_t a = 0; a < dimension; ++a) {
-            key[a] = shifted(axes[a].block.below[k], offset[a]) * axis_key[a];
+            key[a] = shifted(axes[a].block.cell[k], offset[a]) * axis_key[a];
             middle[a] = static_cast<float>(offset[a]) + 0.5f - axes[a].block.fraction[k];
           }
           keep_nearest(feature_distance<dimension, metric>(cell_word(lattice_.seed, key[0], key[1], key[2]),

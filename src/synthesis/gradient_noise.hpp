@@ -9,11 +9,11 @@
 
 namespace verdigris::synthesis {
 
-/// Cells below and above a point along each axis, and where between them.
+/// Keys of the lattice points below and above a point along each axis, and where between them.
 template <int dimension>
 struct LatticePoint {
   std::uint32_t below[dimension], above[dimension];
-  float fraction[dimension];
+  float fraction[dimension];  ///< 0..1
 };
 
 /// 6 t^5 - 15 t^4 + 10 t^3: no kink in the second derivative at cell borders.
@@ -40,7 +40,7 @@ inline float along_gradient(std::uint32_t word, float x, float y) {
 /// with four of the twelve repeated, as in 2002, make slopes along y a tenth steeper.)
 inline float along_gradient(std::uint32_t word, float x, float y, float z) {
   const float u = word < 0x55555555u ? y : x, v = word < 0xaaaaaaaau ? z : y;
-  return signed_by<16>(u, word) + signed_by<15>(v, word);
+  return signed_by<20>(u, word) + signed_by<19>(v, word);
 }
 /// 4D: one axis left out, the others by sign.
 inline float along_gradient(std::uint32_t word, float x, float y, float z, float w) {
@@ -54,11 +54,12 @@ inline constexpr float greatest_2d = 0.6608165f, greatest_3d = 1.0363539f, great
 
 inline float gradient_noise(std::uint32_t seed, const LatticePoint<2>& p) {
   const float x0 = p.fraction[0], y0 = p.fraction[1], x1 = x0 - 1.0f, y1 = y0 - 1.0f;
+  const auto corner = [&](std::uint32_t x_key, std::uint32_t y_key, float x, float y) {
+    return along_gradient(point_word(plane_word(seed, x_key, y_key), 0), x, y);
+  };
   const float u = fade(x0), v = fade(y0);
-  const float low = mixed(along_gradient(point_word(seed, p.below[0], p.below[1]), x0, y0),
-                          along_gradient(point_word(seed, p.above[0], p.below[1]), x1, y0), u);
-  const float high = mixed(along_gradient(point_word(seed, p.below[0], p.above[1]), x0, y1),
-                           along_gradient(point_word(seed, p.above[0], p.above[1]), x1, y1), u);
+  const float low = mixed(corner(p.below[0], p.below[1], x0, y0), corner(p.above[0], p.below[1], x1, y0), u);
+  const float high = mixed(corner(p.below[0], p.above[1], x0, y1), corner(p.above[0], p.above[1], x1, y1), u);
   return mixed(low, high, v) * (1.0f / greatest_2d);
 }
 
@@ -77,8 +78,7 @@ inline float gradient_noise(std::uint32_t seed, const LatticePoint<3>& p) {
                              along_gradient(point_word(h11, key), x1, y1, z), u);
     return mixed(low, high, v);
   };
-  return mixed(layer(p.below[2] * axis_key[2], z0), layer(p.above[2] * axis_key[2], z1), w) *
-         (1.0f / greatest_3d);
+  return mixed(layer(p.below[2], z0), layer(p.above[2], z1), w) * (1.0f / greatest_3d);
 }
 
 inline float gradient_noise(std::uint32_t seed, const LatticePoint<4>& p) {
@@ -96,11 +96,10 @@ inline float gradient_noise(std::uint32_t seed, const LatticePoint<4>& p) {
     return mixed(low, high, v);
   };
   const auto solid = [&](std::uint32_t w_key, float w) {
-    return mixed(layer((p.below[2] * axis_key[2]) ^ w_key, p.fraction[2], w),
-                 layer((p.above[2] * axis_key[2]) ^ w_key, p.fraction[2] - 1.0f, w), s);
+    return mixed(layer((p.below[2]) ^ w_key, p.fraction[2], w),
+                 layer((p.above[2]) ^ w_key, p.fraction[2] - 1.0f, w), s);
   };
-  return mixed(solid(p.below[3] * axis_key[3], p.fraction[3]),
-               solid(p.above[3] * axis_key[3], p.fraction[3] - 1.0f), t) *
+  return mixed(solid(p.below[3], p.fraction[3]), solid(p.above[3], p.fraction[3] - 1.0f), t) *
          (1.0f / greatest_4d);
 }
 

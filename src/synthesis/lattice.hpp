@@ -5,14 +5,18 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "lattice_hash.hpp"
+
 namespace verdigris::synthesis {
 
 /// Points handled at once. Loops over lanes have this length, and compilers make vector instructions of them.
 inline constexpr std::size_t lanes = 128;
 
-/// One coordinate of a block of points: the lattice cell below and above, and where between them.
+/// One coordinate of a block of points: which cell of the lattice, and where in it.
 struct AxisBlock {
-  std::uint32_t below[lanes], above[lanes];
+  std::uint32_t cell[lanes];
+  std::uint32_t key_below[lanes],
+      key_above[lanes];   ///< of the lattice points below and above: times axis_key
   float fraction[lanes];  ///< 0..1
 };
 
@@ -23,49 +27,57 @@ struct LatticeAxis {
   double period = 0.0;     ///< units; 0: none
 };
 
-/// `value` as floor and rest. The floor wraps at 2^32; the rest is exact up to 2^51, and anything beyond.
-struct Split {
-  std::uint32_t floor;
+/// `value` as the nearest whole number, modulo 2^32, and the rest, -1/2..1/2. Exact up to 2^51, then
+/// anything.
+struct Nearest {
+  std::uint32_t whole;
   double rest;
 };
-inline Split split(double value) {
+inline Nearest nearest(double value) {
   // Adding 1.5 * 2^52 rounds to a whole number and leaves it in the low bits: no conversion that overflows,
   // and the same few instructions with and without vectors.
   constexpr double shift = 6755399441055744.0;
   const double shifted = value + shift;
-  const double rest = value - (shifted - shift);
-  const auto nearest = static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(shifted));
-  const bool under = rest < 0.0;
-  return {nearest - static_cast<std::uint32_t>(under), under ? rest + 1.0 : rest};
+  return {static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(shifted)), value - (shifted - shift)};
 }
 
-/// 0..1, whatever comes: a coordinate too great to have a fraction, or none at all, gives a border of its
-/// cell.
-inline float narrowed(double rest) {
-  const auto fraction = static_cast<float>(rest);
+/// `value` as its floor, modulo 2^32, and a fraction. The fraction is 0..1 whatever comes: a value too great
+/// to have one, or none at all, lies at a border of its cell.
+struct CellPlace {
+  std::uint32_t cell;
+  float fraction;
+};
+inline CellPlace cell_place(double value) {
+  const Nearest n = nearest(value);
+  const auto rest = static_cast<float>(n.rest);
+  const bool under = rest < 0.0f;
+  const float fraction = under ? rest + 1.0f : rest;
   const float below_one = fraction < 1.0f ? fraction : 1.0f;
-  return below_one > 0.0f ? below_one : 0.0f;
+  return {n.whole - static_cast<std::uint32_t>(under), below_one > 0.0f ? below_one : 0.0f};
 }
 
-/// Splits `x` [lanes] along one axis of a lattice.
-inline void split_axis(const LatticeAxis& axis, const double* x, AxisBlock& block) {
+/// Splits `x` [lanes] along axis `a` of a lattice.
+inline void split_axis(const LatticeAxis& axis, std::size_t a, const double* x, AxisBlock& block) {
+  const std::uint32_t key = axis_key[a];
   if (axis.period == 0.0) {
     for (std::size_t k = 0; k < lanes; ++k) {
-      const Split s = split(x[k] * axis.frequency + axis.offset);
-      block.below[k] = s.floor;
-      block.above[k] = s.floor + 1;
-      block.fraction[k] = narrowed(s.rest);
+      const CellPlace place = cell_place(x[k] * axis.frequency + axis.offset);
+      block.cell[k] = place.cell;
+      block.key_below[k] = place.cell * key;
+      block.key_above[k] = place.cell * key + key;
+      block.fraction[k] = place.fraction;
     }
     return;
   }
   const auto cells = static_cast<std::uint32_t>(axis.frequency);
   for (std::size_t k = 0; k < lanes; ++k) {
-    const double turn = split(x[k] / axis.period).rest;
-    const Split s = split(turn * axis.frequency + axis.offset);
-    const std::uint32_t below = s.floor >= cells ? s.floor - cells : s.floor;
-    block.below[k] = below;
-    block.above[k] = below + 1 == cells ? 0 : below + 1;
-    block.fraction[k] = narrowed(s.rest);
+    const double rest = nearest(x[k] / axis.period).rest, turn = rest < 0.0 ? rest + 1.0 : rest;
+    const CellPlace place = cell_place(turn * axis.frequency + axis.offset);
+    const std::uint32_t cell = place.cell >= cells ? place.cell - cells : place.cell;
+    block.cell[k] = cell;
+    block.key_below[k] = cell * key;
+    block.key_above[k] = cell + 1 == cells ? 0 : cell * key + key;
+    block.fraction[k] = place.fraction;
   }
 }
 

@@ -14,15 +14,14 @@ inline std::uint32_t mix(std::uint32_t word) {
   return word * 0x2c1b3c6du;
 }
 
-/// The words of a point are mixed pairwise: x and y first, so that the corners of a cell share that round.
-inline std::uint32_t plane_word(std::uint32_t seed, std::uint32_t x, std::uint32_t y) {
-  return mix((seed + x * axis_key[0]) ^ (y * axis_key[1]));
+/// x and y are mixed first, so that the corners of a cell share that round. Keys are cells times axis_key.
+inline std::uint32_t plane_word(std::uint32_t seed, std::uint32_t x_key, std::uint32_t y_key) {
+  return mix((seed + x_key) ^ y_key);
 }
-inline std::uint32_t point_word(std::uint32_t seed, std::uint32_t x, std::uint32_t y) {
-  return mix(plane_word(seed, x, y));
-}
-inline std::uint32_t point_word(std::uint32_t plane, std::uint32_t z_key) {
-  return mix(plane ^ z_key);
+/// The other axes need no shift: `plane` is mixed already, and only upper bits are used. `key` holds theirs,
+/// by exclusive or; 0 in 2D.
+inline std::uint32_t point_word(std::uint32_t plane, std::uint32_t key) {
+  return (plane ^ key) * 0x297a2d39u;
 }
 
 }  // namespace verdigris::synthesis

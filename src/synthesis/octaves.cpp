@@ -11,8 +11,8 @@ template <int dimension>
 LatticePoint<dimension> lane(const AxisBlock* axes, std::size_t k) {
   LatticePoint<dimension> point;
   for (int a = 0; a < dimension; ++a) {
-    point.below[a] = axes[a].below[k];
-    point.above[a] = axes[a].above[k];
+    point.below[a] = axes[a].key_below[k];
+    point.above[a] = axes[a].key_above[k];
     point.fraction[a] = axes[a].fraction[k];
   }
   return point;
@@ -22,7 +22,7 @@ template <int dimension>
 void noise_block(bool gradient, const LatticeOctave& octave, const PointBlock& points,
                  float* __restrict out) {
   AxisBlock blocks[dimension];
-  for (std::size_t a = 0; a < dimension; ++a) split_axis(octave.axes[a], points.axis[a], blocks[a]);
+  for (std::size_t a = 0; a < dimension; ++a) split_axis(octave.axes[a], a, points.axis[a], blocks[a]);
   if (gradient)
     for (std::size_t k = 0; k < lanes; ++k) out[k] = gradient_noise(octave.seed, lane<dimension>(blocks, k));
   else

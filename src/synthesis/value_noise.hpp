@@ -39,15 +39,14 @@ inline float value_noise(std::uint32_t seed, const LatticePoint<2>& p) {
 inline float value_noise(std::uint32_t seed, const LatticePoint<3>& p) {
   const PlaneWords plane(seed, p);
   const float u = fade(p.fraction[0]), v = fade(p.fraction[1]);
-  return mixed(plane.value(p.below[2] * axis_key[2], u, v), plane.value(p.above[2] * axis_key[2], u, v),
-               fade(p.fraction[2]));
+  return mixed(plane.value(p.below[2], u, v), plane.value(p.above[2], u, v), fade(p.fraction[2]));
 }
 
 inline float value_noise(std::uint32_t seed, const LatticePoint<4>& p) {
   const PlaneWords plane(seed, p);
   const float u = fade(p.fraction[0]), v = fade(p.fraction[1]), s = fade(p.fraction[2]);
-  const std::uint32_t z0 = p.below[2] * axis_key[2], z1 = p.above[2] * axis_key[2];
-  const std::uint32_t w0 = p.below[3] * axis_key[3], w1 = p.above[3] * axis_key[3];
+  const std::uint32_t z0 = p.below[2], z1 = p.above[2];
+  const std::uint32_t w0 = p.below[3], w1 = p.above[3];
   return mixed(mixed(plane.value(z0 ^ w0, u, v), plane.value(z1 ^ w0, u, v), s),
                mixed(plane.value(z0 ^ w1, u, v), plane.value(z1 ^ w1, u, v), s), fade(p.fraction[3]));
 }
