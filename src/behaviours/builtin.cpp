@@ -1,5 +1,6 @@
 #include "verdigris/behaviours/builtin.hpp"
 
+#include "verdigris/behaviours/corrosion_growth.hpp"
 #include "verdigris/behaviours/life_simulation.hpp"
 #include "verdigris/behaviours/voronoi_growth.hpp"
 
@@ -9,6 +10,7 @@ Catalogue builtin_catalogue() {
   Catalogue catalogue;
   catalogue.add(voronoi_entry());
   catalogue.add(life_entry());
+  catalogue.add(corrosion_entry());
   return catalogue;
 }
 

@@ -9,8 +9,9 @@
 #include <memory>
 
 #include "growth.hpp"
-#include "verdigris/behaviours/builtin.hpp"
 #include "verdigris/base/error.hpp"
+#include "verdigris/behaviours/builtin.hpp"
+#include "verdigris/behaviours/corrosion_growth.hpp"
 
 using namespace growth;
 
@@ -21,18 +22,22 @@ struct Seen {
   std::uint64_t step, changed;
   bool finished;
   std::vector<Field<std::int32_t>> fields;
+  std::vector<Field<float>> real_fields;
   friend bool operator==(const Seen&, const Seen&) = default;
 };
 
 // Evolving cells only: ghosts follow them.
 Seen look(const Surface& s, const AnySimulation& simulation, std::uint64_t changed) {
-  Seen seen{simulation.steps(), changed, simulation.finished(), {}};
-  for (const FieldInfo& info : simulation.fields()) {
-    const auto field = simulation.field(info.name);
-    auto& cells = seen.fields.emplace_back();
+  Seen seen{simulation.steps(), changed, simulation.finished(), {}, {}};
+  const auto keep = [&](const auto& field, auto& cells) {
     for (const Row& row : s.rows())
       cells.insert(cells.end(), field.begin() + row.run_begin, field.begin() + row.run_end);
-  }
+  };
+  for (const FieldInfo& info : simulation.fields())
+    if (info.real)
+      keep(simulation.real_field(info.name), seen.real_fields.emplace_back());
+    else
+      keep(simulation.field(info.name), seen.fields.emplace_back());
   return seen;
 }
 
@@ -120,6 +125,30 @@ TEST(Checkpoint, WordsOf64Bits) {
   EXPECT_TRUE(resumed.finished());
   EXPECT_EQ(straight.labels(), resumed.labels());
   EXPECT_EQ(straight.arrivals(), resumed.arrivals());
+}
+
+// New seeds, holding and idle cells, metal that runs out, masks.
+TEST(Checkpoint, CorrosionGoesOn) {
+  for (const Shape& shape : shapes_to_try()) {
+    SCOPED_TRACE(shape.name);
+    const Surface s = make_surface(shape.mesh, {.cell_size = shape.cell_size});
+    SimulationSetup setup{s, 11, random_seeds(s, 3, 5)};
+    for (const char* name : {"attack", "rate", "seeding"}) {
+      setup.masks.push_back({name, Field<float>(s.slot_count())});
+      for_owned(s, [&](std::uint32_t slot) {
+        setup.masks.back().values[slot] =
+            static_cast<float>(CellRandom(setup.masks.size(), 2, slot).words(3)[0] >> 8) / 16777216.0f;
+      });
+    }
+    CorrosionParameters p;
+    p.new_seeds = 1e-3;
+    p.most_seeds = 12;
+    p.forces = {.attack = 2.0, .attack_age = 6, .strong_defence = 1.0, .support = 0.2};
+    p.thickness.metal = 40.0;
+    p.thickness.k1 = 1.0;
+    expect_restarts(
+        s, [&] { return std::make_unique<CorrosionGrowth>(setup, p); }, 90);
+  }
 }
 
 // 2^19 + 1 labels leave 12 bits for the arrival: 4094 steps, fewer than this strip is long.

@@ -82,9 +82,13 @@ class FrontStepper {
   /// No cell can change any more.
   bool finished() const {
     if (!candidates_.empty() || !merges_.empty()) return false;
+    return !any_alarm();
+  }
+  /// Some cell will have to be looked at in a later step, whatever happens around it.
+  bool any_alarm() const {
     if constexpr (TimedBehaviour<B>)
-      return !alarms_.any([&](std::uint32_t slot) { return behaviour_.alarm(state_[slot]) > step_; });
-    return true;
+      return alarms_.any([&](std::uint32_t slot) { return behaviour_.alarm(state_[slot]) > step_; });
+    return false;
   }
 
   StepReport step() {
@@ -122,6 +126,13 @@ class FrontStepper {
     for (const Change& change : changes_) visit(change.slot, change.state);
     for (std::size_t task = 0; task < tasks_; ++task)
       for (const Change& change : task_changes_[task]) visit(change.slot, change.state);
+  }
+
+  /// Whether which(neighbourhood) holds for any cell that the next step will evaluate.
+  template <typename Which>
+  bool any_candidate(Which&& which) const {
+    return std::any_of(candidates_.begin(), candidates_.end(),
+                       [&](const Place& place) { return which(around(place)); });
   }
 
   const Field<State>& state() const { return state_; }
