@@ -11,27 +11,6 @@ namespace {
 
 constexpr std::uint32_t no_source = 0xFFFFFFFFu;
 
-// Visits the grid columns of a row that its own or a neighbouring row's owned cells read.
-template <typename Visit>
-void visit_ghosts(const Surface& surface, std::uint32_t row, Visit&& visit) {
-  const Row* r = surface.rows().data() + row;
-  const std::uint32_t end = r[1].begin;
-  const auto reads = [&](const Row& other, std::int32_t column) {
-    const auto begin = static_cast<std::int32_t>(other.run_begin - other.base),
-               stop = static_cast<std::int32_t>(other.run_end - other.base);
-    return begin < stop && column >= begin - 1 && column <= stop;
-  };
-  for (std::uint32_t slot = r->begin; slot < end; ++slot) {
-    if (slot == r->run_begin && r->run_begin < r->run_end) {
-      slot = r->run_end - 1;
-      continue;
-    }
-    const auto column = static_cast<std::int32_t>(slot - r->base);
-    // The last row of a patch stands below the first of the next; their runs are empty.
-    if (reads(r[-1], column) || reads(r[0], column) || reads(r[1], column)) visit(slot, column);
-  }
-}
-
 }  // namespace
 
 PackedSurface::PackedSurface(const Surface& surface) {
@@ -78,26 +57,31 @@ PackedSurface::PackedSurface(const Surface& surface) {
     for (const std::uint32_t ghost : targets) source_of[ghost] = source;
   });
 
-  // Vectors of eight words may be read past the last.
-  owned_mask_.assign(words + 8, 0);
-  ghost_mask_.assign(words + 8, 0);
+  bits_.assign(words, Bits{});
   std::vector<std::pair<std::uint32_t, std::uint32_t>> ghosts;  // bit, source slot
   for (std::uint32_t p = 0; p < count; ++p) {
     patches_[p].ghost_begin = static_cast<std::uint32_t>(ghost_sources_.size());
     ghosts.clear();
     for (std::uint32_t r = surface.row_begin(p); r < surface.row_end(p); ++r) {
       const Row& row = rows[r];
-      for (std::uint32_t slot = row.run_begin; slot < row.run_end; ++slot) {
-        const std::uint32_t bit =
-            bit_at(p, r - surface.row_begin(p), static_cast<std::int32_t>(slot - row.base));
-        owned_mask_[bit >> 6] |= std::uint64_t{1} << (bit & 63);
+      const std::uint32_t end = rows.data()[r + 1].begin;
+      const auto bit_at_slot = [&](std::uint32_t slot) {
+        return bit_at(p, r - surface.row_begin(p), static_cast<std::int32_t>(slot - row.base));
+      };
+      for (std::uint32_t slot = row.begin; slot < end; ++slot) {
+        const std::uint32_t bit = bit_at_slot(slot);
+        Bits& bits = bits_[bit >> 6];
+        const auto at = static_cast<std::uint8_t>(bit & 63);
+        if (bits.end == 0) bits.begin = at;
+        bits.end = static_cast<std::uint8_t>(at + 1);
+        if (slot >= row.run_begin && slot < row.run_end) {
+          if (bits.owned_end == 0) bits.owned_begin = at;
+          bits.owned_end = static_cast<std::uint8_t>(at + 1);
+        } else {
+          ghosts.emplace_back(bit, source_of[slot]);
+        }
       }
       owned_count_ += row.run_end - row.run_begin;
-      visit_ghosts(surface, r, [&](std::uint32_t slot, std::int32_t column) {
-        const std::uint32_t bit = bit_at(p, r - surface.row_begin(p), column);
-        ghost_mask_[bit >> 6] |= std::uint64_t{1} << (bit & 63);
-        ghosts.emplace_back(bit, source_of[slot]);
-      });
     }
     std::sort(ghosts.begin(), ghosts.end());
     for (const auto& [bit, source] : ghosts)
@@ -123,8 +107,8 @@ std::uint32_t PackedSurface::bit_of(const Surface& surface, std::uint32_t slot) 
 }
 
 std::size_t PackedSurface::bytes() const {
-  return patches_.size() * sizeof(Patch) + column_rows_.size() * 4 +
-         (owned_mask_.size() + ghost_mask_.size()) * 8 + ghost_sources_.size() * 4;
+  return patches_.size() * sizeof(Patch) + column_rows_.size() * 4 + bits_.size() * sizeof(Bits) +
+         ghost_sources_.size() * 4;
 }
 
 }  // namespace verdigris

@@ -92,7 +92,7 @@ PackedLife::PackedLife(const PackedSurface& cells, const LifeRule& rule)
 void PackedLife::set(std::uint32_t bit, bool alive) {
   const std::uint64_t one = std::uint64_t{1} << (bit & 63);
   if (alive)
-    state_[bit >> 6] |= one & cells_.owned_mask()[bit >> 6];
+    state_[bit >> 6] |= one & cells_.bits()[bit >> 6].owned();
   else
     state_[bit >> 6] &= ~one;
 }
@@ -106,14 +106,14 @@ void PackedLife::fill(double density, std::uint64_t seed) {
       const auto words = CellRandom(seed, 0, static_cast<std::uint32_t>(word)).words(filling, block);
       for (unsigned k = 0; k < 4; ++k) alive |= std::uint64_t{words[k] < limit} << (4 * block + k);
     }
-    state_[word] = alive & cells_.owned_mask()[word];
+    state_[word] = alive & cells_.bits()[word].owned();
   });
 }
 
 void PackedLife::restore(std::vector<std::uint64_t> state, std::uint64_t steps) {
   bool good = state.size() == state_.size();
   for (std::size_t word = 0; good && word < state.size(); ++word)
-    good = (state[word] & ~cells_.owned_mask()[word]) == 0;
+    good = (state[word] & ~(word < cells_.word_count() ? cells_.bits()[word].owned() : 0)) == 0;
   if (!good) throw InputError("cells", "they are not of this surface", "start again without this checkpoint");
   state_ = std::move(state);
   steps_ = steps;
@@ -153,24 +153,25 @@ std::uint64_t PackedLife::advance(std::size_t patch, std::vector<std::uint64_t>&
   // A copy of the patch as it was, ghosts laid in.
   std::uint64_t* old = room.data() + margin;
   std::uint64_t* state = state_.data() + p.word_begin;
-  const std::uint64_t* ghost_mask = cells_.ghost_mask() + p.word_begin;
-  const std::uint64_t* owned_mask = cells_.owned_mask() + p.word_begin;
+  const PackedSurface::Bits* bits = cells_.bits() + p.word_begin;
+  // Room for this patch: cells with ghosts, sums of three in two digits, masks of the owned.
+  const std::size_t stride = room.size() / 4;
+  std::uint64_t *ones = old + stride, *twos = ones + stride, *owned = twos + stride;
   std::uint64_t ghost = p.ghost_begin;
   const std::uint64_t* stream = ghosts_.data();
   for (std::size_t w = 0; w < words; ++w) {
-    const std::uint64_t mask = ghost_mask[w];
+    const std::uint64_t mask = bits[w].ghosts();
+    owned[w] = bits[w].owned();
     const unsigned shift = ghost & 63;
     // Two words hold the next 64 bits; << 1 first, since a shift by 64 means nothing.
-    const std::uint64_t bits = stream[ghost >> 6] >> shift | stream[(ghost >> 6) + 1] << 1 << (63 - shift);
-    old[w] = state[w] | deposit(bits, mask);
+    const std::uint64_t next = stream[ghost >> 6] >> shift | stream[(ghost >> 6) + 1] << 1 << (63 - shift);
+    old[w] = state[w] | deposit(next, mask);
     ghost += static_cast<std::uint64_t>(std::popcount(mask));
   }
   std::memset(old + words, 0, margin * sizeof(std::uint64_t));
 
   // Sums along the rows: a cell and those beside it; with four neighbours, rows above and below count the
   // cell alone.
-  const std::size_t stride = room.size() / 3;
-  std::uint64_t *ones = old + stride, *twos = ones + stride;
   const auto rows = cells_.column_rows(patch);
   const bool moore = rule_.neighbourhood == LifeNeighbourhood::moore;
   std::size_t column = 0;
@@ -199,7 +200,7 @@ std::uint64_t PackedLife::advance(std::size_t patch, std::vector<std::uint64_t>&
       const std::size_t w = column + row;
       const Rows next = (moore ? decide(sum_at(w - 1), sum_at(w), sum_at(w + 1), load(old + w), rule_)
                                : decide(alone(w - 1), sum_at(w), alone(w + 1), load(old + w), rule_)) &
-                        load(owned_mask + w);
+                        load(owned + w);
       const std::size_t some = std::min(lanes, rows[k] - 1 - row);
       const Rows before = load(state + w), differs = next ^ before;
       if (some == lanes) {
@@ -223,7 +224,7 @@ std::uint64_t PackedLife::step() {
       tbb::blocked_range<std::size_t>(0, patches, grain),
       [&](const tbb::blocked_range<std::size_t>& range) { gather_ghosts(range.begin(), range.end()); });
   tbb::enumerable_thread_specific<std::vector<std::uint64_t>> room(
-      [&] { return std::vector<std::uint64_t>(3 * (cells_.largest_patch_words() + 3 * margin), 0); });
+      [&] { return std::vector<std::uint64_t>(4 * (cells_.largest_patch_words() + 3 * margin), 0); });
   const std::uint64_t changed = tbb::parallel_reduce(
       tbb::blocked_range<std::size_t>(0, patches, grain), std::uint64_t{0},
       [&](const tbb::blocked_range<std::size_t>& range, std::uint64_t sum) {
