@@ -41,6 +41,9 @@ struct Report {
 glm::dvec3 triple(const std::vector<double>& numbers, const char* option) {
   if (numbers.size() != 3)
     throw InputError(option, fmt::format("{} numbers", numbers.size()), "give three: x,y,z");
+  for (const double number : numbers)
+    if (!std::isfinite(number))
+      throw InputError(option, fmt::format("{} is not a number", number), "give three: x,y,z");
   return {numbers[0], numbers[1], numbers[2]};
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "entries.hpp"
 #include "grid_field.hpp"
@@ -15,9 +16,15 @@ class NearnessField final : public ScalarField {
  public:
   NearnessField(const FunctionSystem& system, double falloff)
       : distance_(system, 0.02 * falloff), flat_(system.dimension == 2), falloff_(falloff) {
-    const Ball& ball = distance_.ball();
-    const double half = ball.radius + falloff;
-    window_ = {ball.centre - half, ball.centre + half};
+    // A cube round a sample of the attractor; the ball would leave much room.
+    glm::dvec3 low = distance_.ball().centre, high = low;
+    for (const glm::dvec3& p : chaos_game(system, 16384, 1)) {
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+    }
+    const glm::dvec3 size = high - low, middle = 0.5 * (low + high);
+    const double half = 0.5 * std::max({size.x, size.y, size.z}) + falloff;
+    window_ = {middle - half, middle + half};
   }
 
   ValueRange range() const override { return {0.0f, 1.0f, true}; }
