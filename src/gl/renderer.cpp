@@ -8,6 +8,8 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <optional>
 
+#include "buffers.hpp"
+#include "layer_program.hpp"
 #include "shaders.hpp"
 #include "target.hpp"
 #include "verdigris/gl/offscreen_context.hpp"
@@ -17,42 +19,6 @@ namespace verdigris {
 
 namespace {
 
-template <class T>
-void fill(GLenum target, GLuint buffer, const std::vector<T>& data, GLenum usage) {
-  glBindBuffer(target, buffer);
-  glBufferData(target, static_cast<GLsizeiptr>(data.size() * sizeof(T)), data.data(), usage);
-}
-
-// Strips and fans are taken apart before they are drawn: where patches hold few cells they are many and
-// short, and Mesa's software renderer draws them one by one (bunny, 1M cells, 5.2M triangles: 2.6 s; 2.2 s as
-// single triangles).
-//
-// The buffers of one chunk; filled once if it is kept, over and over if it is only passing through.
-struct Buffers {
-  gl::VertexArray array;
-  gl::Buffer positions, normals, colours, triangles;
-  GLsizei index_count = 0;
-
-  void upload(const BandMesh& bands, const std::vector<std::uint32_t>& indices, GLenum usage) {
-    glBindVertexArray(array);
-    fill(GL_ARRAY_BUFFER, positions, bands.positions, usage);
-    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
-    fill(GL_ARRAY_BUFFER, normals, bands.normals, usage);
-    glVertexAttribPointer(1, 2, GL_SHORT, GL_TRUE, 0, nullptr);
-    glBindBuffer(GL_ARRAY_BUFFER, colours);
-    glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0, nullptr);
-    for (GLuint k = 0; k < 3; ++k) glEnableVertexAttribArray(k);
-    fill(GL_ELEMENT_ARRAY_BUFFER, triangles, indices, usage);
-    index_count = static_cast<GLsizei>(indices.size());
-  }
-
-  void draw(const std::vector<Rgba8>& vertex_colours) {
-    glBindVertexArray(array);
-    fill(GL_ARRAY_BUFFER, colours, vertex_colours, GL_STREAM_DRAW);
-    glDrawElements(GL_TRIANGLES, index_count, GL_UNSIGNED_INT, nullptr);
-  }
-};
-
 constexpr std::size_t flight_bytes = std::size_t{32} << 20;
 
 // A range of the surface on its way to the screen.
@@ -61,9 +27,19 @@ struct Chunk {
   BandMesh bands;  // without what has gone to the driver for good
   std::vector<std::uint32_t> triangles;
   std::vector<Rgba8> colours;
+  std::vector<LayerCell> cells;
+  std::vector<glm::vec3> positions;  // relieved
+  std::vector<PackedNormal> normals;
   std::size_t vertices = 0;
-  std::optional<Buffers> kept;
+  std::optional<gl::Buffers> kept;
+
+  explicit Chunk(const BandRange& r) : range(r) {}
 };
+
+BandBuilder make_builder(const Surface& s, const RenderOptions& o) {
+  return {s, corner_normals(s.mesh(), s.adjacency(), o.crease_angle),
+          o.relief ? relief_directions(s.mesh()) : std::vector<glm::vec3>()};
+}
 
 }  // namespace
 
@@ -72,27 +48,44 @@ struct SurfaceRenderer::State {
   RenderOptions options;
   BandBuilder builder;
   gl::Program surface = gl::surface_program(), background = gl::background_program();
+  std::optional<gl::Program> layers;
   gl::VertexArray nothing;
-  Buffers passing;
+  gl::Buffers passing;
   std::optional<gl::Target> target;
-  int target_samples = 0;
   std::vector<Chunk> chunks;
   std::size_t cached = 0, in_flight = 0;
 
-  State(const Surface& s, const RenderOptions& o)
-      : options(o), builder(s, corner_normals(s.mesh(), s.adjacency(), o.crease_angle)) {
-    for (const BandRange& range : band_ranges(s, o.chunk_slots)) chunks.push_back({range, {}, {}, {}, 0, {}});
+  State(const Surface& s, const RenderOptions& o) : options(o), builder(make_builder(s, o)) {
+    for (const BandRange& range : band_ranges(s, o.chunk_slots)) chunks.emplace_back(range);
   }
   State(const State&) = delete;
   State& operator=(const State&) = delete;
   ~State() { context.make_current(); }
 
-  GLint location(const char* name) const { return glGetUniformLocation(surface, name); }
+  void begin(const Camera& camera);
   void draw_background() const;
-  void set_uniforms(const Camera& camera) const;
-  void prepare(Chunk& chunk, std::span<const Rgba8> slot_colours) const;
+  void set_uniforms(GLuint program, const Camera& camera) const;
+  void build(Chunk& chunk) const;
   void draw_chunk(Chunk& chunk);
+  template <typename Prepare>
+  void draw_chunks(const Prepare& prepare);
 };
+
+void SurfaceRenderer::State::begin(const Camera& camera) {
+  context.make_current();
+  const int factor = std::clamp(options.supersampling, 1, 4);
+  if (!target || target->width() != camera.width || target->height() != camera.height) {
+    target.reset();
+    target.emplace(camera.width, camera.height, factor, options.samples);
+  }
+  target->bind();
+  glEnable(GL_MULTISAMPLE);
+  glDisable(GL_DEPTH_TEST);
+  draw_background();
+  glEnable(GL_DEPTH_TEST);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  glPrimitiveRestartIndex(BandIndices::restart);
+}
 
 void SurfaceRenderer::State::draw_background() const {
   glUseProgram(background);
@@ -106,49 +99,79 @@ void SurfaceRenderer::State::draw_background() const {
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void SurfaceRenderer::State::set_uniforms(const Camera& camera) const {
+void SurfaceRenderer::State::set_uniforms(GLuint program, const Camera& camera) const {
   const SceneLight light = place_light(options.light, camera);
   const glm::mat4 clip = camera.clip_from_model(builder.origin());
   const glm::vec3 eye(camera.eye - builder.origin());
-  glUseProgram(surface);
+  const auto location = [&](const char* name) { return glGetUniformLocation(program, name); };
+  glUseProgram(program);
   glUniformMatrix4fv(location("clip"), 1, GL_FALSE, glm::value_ptr(clip));
   glUniform3fv(location("eye"), 1, glm::value_ptr(eye));
   glUniform3fv(location("towards"), 2, glm::value_ptr(light.towards[0]));
   glUniform1fv(location("strength"), 2, light.strength.data());
-  glUniform4f(location("terms"), light.ambient, light.diffuse, light.specular, light.shininess);
 }
 
 // The part of the work that needs no OpenGL, for any thread.
-void SurfaceRenderer::State::prepare(Chunk& chunk, std::span<const Rgba8> slot_colours) const {
-  if (!chunk.kept) {
-    chunk.bands = builder.build(chunk.range);
-    chunk.vertices = chunk.bands.positions.size();
-    chunk.triangles = triangles_of(chunk.bands.indices);
-    chunk.bands.indices = {};
-  }
-  chunk.colours.resize(chunk.vertices);
-  colour_bands(chunk.bands, slot_colours, chunk.colours);
+void SurfaceRenderer::State::build(Chunk& chunk) const {
+  if (chunk.kept) return;
+  chunk.bands = builder.build(chunk.range);
+  chunk.vertices = chunk.bands.positions.size();
+  chunk.triangles = triangles_of(chunk.bands.indices);
+  chunk.bands.indices = {};
 }
 
 void SurfaceRenderer::State::draw_chunk(Chunk& chunk) {
-  in_flight += sizeof(Rgba8) * chunk.vertices;
+  in_flight += sizeof(Rgba8) * chunk.colours.size() + sizeof(LayerCell) * chunk.cells.size() +
+               (sizeof(glm::vec3) + sizeof(PackedNormal)) * chunk.positions.size();
   if (!chunk.kept) in_flight += chunk.bands.bytes() + sizeof(std::uint32_t) * chunk.triangles.size();
-  if (chunk.kept) {
-    chunk.kept->draw(chunk.colours);
-  } else if (const std::size_t bytes = chunk.bands.bytes() + 4 * (chunk.vertices + chunk.triangles.size());
-             cached + bytes <= options.cache_bytes) {
+  gl::Buffers* buffers = chunk.kept ? &*chunk.kept : &passing;
+  const std::size_t bytes = chunk.bands.bytes() + 4 * (chunk.vertices + chunk.triangles.size());
+  if (!chunk.kept && cached + bytes <= options.cache_bytes) {
     cached += bytes;
-    chunk.kept.emplace().upload(chunk.bands, chunk.triangles, GL_STATIC_DRAW);
-    chunk.kept->draw(chunk.colours);
-    chunk.bands.positions = {};
-    chunk.bands.normals = {};
-  } else {
-    passing.upload(chunk.bands, chunk.triangles, GL_STREAM_DRAW);
-    passing.draw(chunk.colours);
-    chunk.bands = {};
+    buffers = &chunk.kept.emplace();
+    buffers->upload(chunk.bands, chunk.triangles, GL_STATIC_DRAW);
+    if (!options.relief) {
+      chunk.bands.positions = {};
+      chunk.bands.normals = {};
+    }
+  } else if (!chunk.kept) {
+    buffers->upload(chunk.bands, chunk.triangles, GL_STREAM_DRAW);
   }
+  if (!chunk.positions.empty())
+    buffers->place(chunk.positions, chunk.normals, GL_STREAM_DRAW);
+  else if (options.relief && chunk.kept)
+    buffers->place(chunk.bands.positions, chunk.bands.normals, GL_STREAM_DRAW);
+  if (chunk.cells.empty())
+    buffers->draw(chunk.colours);
+  else
+    buffers->draw(chunk.cells);
+  if (!chunk.kept) chunk.bands = {};
   chunk.colours = {};
+  chunk.cells = {};
+  chunk.positions = {};
+  chunk.normals = {};
   chunk.triangles = {};
+}
+
+// `prepare(chunk)` runs on any thread, after the chunk's geometry is there.
+template <typename Prepare>
+void SurfaceRenderer::State::draw_chunks(const Prepare& prepare) {
+  // A few chunks a thread are made at a time; so many, not all of them, are in memory.
+  const auto wave = static_cast<std::size_t>(2 * tbb::this_task_arena::max_concurrency());
+  for (std::size_t first = 0; first < chunks.size(); first += wave) {
+    const std::size_t last = std::min(first + wave, chunks.size());
+    tbb::parallel_for(first, last, [&](std::size_t k) {
+      build(chunks[k]);
+      prepare(chunks[k]);
+    });
+    for (std::size_t k = first; k < last; ++k) draw_chunk(chunks[k]);
+    // Or the driver keeps all that passes through until the picture is asked for. Not each time: Mesa's
+    // software renderer then reads and writes the whole image once more.
+    if (in_flight > flight_bytes) {
+      glFinish();
+      in_flight = 0;
+    }
+  }
 }
 
 SurfaceRenderer::SurfaceRenderer(const Surface& surface, const RenderOptions& options)
@@ -164,34 +187,34 @@ std::string SurfaceRenderer::driver() const {
 Image SurfaceRenderer::draw(std::span<const Rgba8> slot_colours, const Camera& camera) {
   State& s = *state_;
   assert(slot_colours.size() == s.builder.surface().slot_count());
-  s.context.make_current();
-  const int factor = std::clamp(s.options.supersampling, 1, 4);
-  if (!s.target || s.target->width() != camera.width || s.target->height() != camera.height) {
-    s.target.reset();
-    s.target.emplace(camera.width, camera.height, factor, s.options.samples);
-  }
-  s.target->bind();
-  glEnable(GL_MULTISAMPLE);
-  glDisable(GL_DEPTH_TEST);
-  s.draw_background();
-  glEnable(GL_DEPTH_TEST);
-  glClear(GL_DEPTH_BUFFER_BIT);
-  glPrimitiveRestartIndex(BandIndices::restart);
-  s.set_uniforms(camera);
+  s.begin(camera);
+  s.set_uniforms(s.surface, camera);
+  const LightSettings& light = s.options.light;
+  glUniform4f(glGetUniformLocation(s.surface, "terms"), light.ambient, light.diffuse, light.specular,
+              light.shininess);
+  s.draw_chunks([&](Chunk& chunk) {
+    chunk.colours.resize(chunk.vertices);
+    colour_bands(chunk.bands, slot_colours, chunk.colours);
+  });
+  return s.target->resolve();
+}
 
-  // A few chunks a thread are made at a time; so many, not all of them, are in memory.
-  const auto wave = static_cast<std::size_t>(2 * tbb::this_task_arena::max_concurrency());
-  for (std::size_t first = 0; first < s.chunks.size(); first += wave) {
-    const std::size_t last = std::min(first + wave, s.chunks.size());
-    tbb::parallel_for(first, last, [&](std::size_t k) { s.prepare(s.chunks[k], slot_colours); });
-    for (std::size_t k = first; k < last; ++k) s.draw_chunk(s.chunks[k]);
-    // Or the driver keeps all that passes through until the picture is asked for. Not each time: Mesa's
-    // software renderer then reads and writes the whole image once more.
-    if (s.in_flight > flight_bytes) {
-      glFinish();
-      s.in_flight = 0;
-    }
-  }
+Image SurfaceRenderer::draw(const LayerPicture& picture, const Camera& camera) {
+  State& s = *state_;
+  assert(picture.cells.size() == s.builder.surface().slot_count());
+  assert(picture.relief == nullptr || s.options.relief);
+  s.begin(camera);
+  if (!s.layers) s.layers = gl::layer_program();
+  s.set_uniforms(*s.layers, camera);
+  gl::set_layers(*s.layers, picture.stack, place_studio(picture.studio, camera), picture.holes);
+  s.draw_chunks([&](Chunk& chunk) {
+    chunk.cells.resize(chunk.vertices);
+    layer_bands(chunk.bands, picture.cells, chunk.cells);
+    if (picture.relief == nullptr) return;
+    chunk.positions.resize(chunk.vertices);
+    chunk.normals.resize(chunk.vertices);
+    relieve_bands(chunk.bands, *picture.relief, chunk.positions, chunk.normals);
+  });
   return s.target->resolve();
 }
 

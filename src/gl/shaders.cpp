@@ -104,7 +104,9 @@ void attach(GLuint program, GLenum stage, const char* source) {
   glDeleteShader(shader);  // goes with the program
 }
 
-Program link(const char* vertex, const char* fragment) {
+}  // namespace
+
+Program link_program(const char* vertex, const char* fragment) {
   Program program;
   attach(program, GL_VERTEX_SHADER, vertex);
   attach(program, GL_FRAGMENT_SHADER, fragment);
@@ -115,13 +117,11 @@ Program link(const char* vertex, const char* fragment) {
   return program;
 }
 
-}  // namespace
-
 Program surface_program() {
-  return link(surface_vertex, surface_fragment);
+  return link_program(surface_vertex, surface_fragment);
 }
 Program background_program() {
-  return link(background_vertex, background_fragment);
+  return link_program(background_vertex, background_fragment);
 }
 
 }  // namespace verdigris::gl

@@ -8,7 +8,9 @@
 #include "verdigris/picture/bands.hpp"
 #include "verdigris/picture/camera.hpp"
 #include "verdigris/picture/image.hpp"
+#include "verdigris/picture/layers.hpp"
 #include "verdigris/picture/light.hpp"
+#include "verdigris/picture/relief.hpp"
 
 namespace verdigris {
 
@@ -22,6 +24,16 @@ struct RenderOptions {
   std::size_t chunk_slots = 1u << 16;  ///< slots drawn at once: memory grows with it, not with the surface
   std::size_t cache_bytes = std::size_t{768}
                             << 20;  ///< geometry kept for the next picture, see SurfaceRenderer
+  bool relief = false;              ///< pictures may have one: geometry is made ready to be moved
+};
+
+/// Layers over a substrate, to be drawn.
+struct LayerPicture {
+  std::span<const LayerCell> cells;  ///< [slot], ghosts included
+  const LayerStack& stack;
+  StudioSettings studio = {};
+  const Relief* relief = nullptr;  ///< needs RenderOptions::relief
+  bool holes = false;              ///< absent metal is not drawn; else LayerStack::gone stands there
 };
 
 /// Draws pictures of one surface, any number of them with other colours and cameras.
@@ -41,6 +53,11 @@ class SurfaceRenderer {
   /// `slot_colours` has one colour a slot, ghosts included; cells of alpha 0 are not drawn (holes), there is
   /// no half transparency.
   Image draw(std::span<const Rgba8> slot_colours, const Camera& camera);
+
+  /// The same of layers: each is lit where it is seen, then they are mixed (picture/layers.hpp says how, and
+  /// gives the same on the CPU to 1/255). Of RenderOptions::light only the sources count, the coefficients
+  /// are those of the layers. Depths are interpolated between cells.
+  Image draw(const LayerPicture& picture, const Camera& camera);
 
   /// The driver's name for itself, for reports.
   std::string driver() const;
