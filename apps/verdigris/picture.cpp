@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <glm/vec4.hpp>
+#include <type_traits>
 
 #include "verdigris/base/error.hpp"
 #include "verdigris/io/write_png.hpp"
@@ -18,8 +19,9 @@ using namespace verdigris;
 
 namespace {
 
-std::vector<Rgba8> scalar_colours(const Surface& surface, const Field<std::int32_t>& values) {
-  std::int32_t low = 0, high = 1;
+template <typename T>
+std::vector<Rgba8> scalar_colours(const Surface& surface, const Field<T>& values) {
+  T low = 0, high = std::is_integral_v<T> ? 1 : 0;
   for (std::uint32_t r = 0; r < surface.rows().size(); ++r) {
     const SlotRun run = surface.owned(r);
     for (std::uint32_t slot = run.begin; slot < run.end; ++slot) {
@@ -28,23 +30,24 @@ std::vector<Rgba8> scalar_colours(const Surface& surface, const Field<std::int32
     }
   }
   std::vector<Rgba8> colours(values.size());
-  const float range = static_cast<float>(high - low);
+  const float range = high > low ? static_cast<float>(high - low) : 1.0f;
   std::transform(values.begin(), values.end(), colours.begin(),
-                 [&](std::int32_t v) { return scalar_colour(static_cast<float>(v - low) / range); });
+                 [&](T v) { return scalar_colour(static_cast<float>(v - low) / range); });
   return colours;
 }
 
-std::vector<Rgba8> colours_of(const Surface& surface, const Field<std::int32_t>& values, bool labels,
-                              bool outline) {
-  return labels
-             ? colour_labels(surface, values, label_colours(surface, values), LabelStyle{.outlines = outline})
-             : scalar_colours(surface, values);
+std::vector<Rgba8> colours_of(const Surface& surface, const CellValues& values, bool labels, bool outline) {
+  if (labels) {
+    const auto& label = std::get<Field<std::int32_t>>(values);
+    return colour_labels(surface, label, label_colours(surface, label), LabelStyle{.outlines = outline});
+  }
+  return std::visit([&](const auto& field) { return scalar_colours(surface, field); }, values);
 }
 
 }  // namespace
 
-void write_torus_picture(const std::filesystem::path& file, const Surface& surface,
-                         const Field<std::int32_t>& values, bool labels, const TorusPlan& torus) {
+void write_torus_picture(const std::filesystem::path& file, const Surface& surface, const CellValues& values,
+                         bool labels, const TorusPlan& torus) {
   constexpr std::uint32_t good = 1024, most = 4096;
   const std::uint32_t larger = std::max(torus.width, torus.height);
   const std::uint32_t up = std::max(1u, good / larger), down = (larger + most - 1) / most;
@@ -77,8 +80,8 @@ void check_picture(const PicturePlan& plan) {
   view_direction(plan.view, plan.up == "z" ? UpAxis::z : UpAxis::y);
 }
 
-void write_picture(const std::filesystem::path& file, const Surface& surface,
-                   const Field<std::int32_t>& values, bool labels, const PicturePlan& plan) {
+void write_picture(const std::filesystem::path& file, const Surface& surface, const CellValues& values,
+                   bool labels, const PicturePlan& plan) {
   check_picture(plan);
   ViewSettings settings;
   settings.up = plan.up == "z" ? UpAxis::z : UpAxis::y;
@@ -93,7 +96,7 @@ void write_picture(const std::filesystem::path& file, const Surface& surface,
 
 #else
 
-void write_picture(const std::filesystem::path&, const Surface&, const Field<std::int32_t>&, bool,
+void write_picture(const std::filesystem::path&, const Surface&, const CellValues&, bool,
                    const PicturePlan&) {
   check_picture({});
 }

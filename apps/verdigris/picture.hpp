@@ -2,22 +2,24 @@
 // The picture of a run.
 
 #include <filesystem>
+#include <variant>
 
 #include "verdigris/automaton/behaviour.hpp"
 #include "verdigris/io/scene.hpp"
 #include "verdigris/surface/surface.hpp"
 
+/// Whole or real numbers, [slot].
+using CellValues = std::variant<verdigris::Field<std::int32_t>, verdigris::Field<float>>;
+
 /// Draws labels as regions, any other field by a colour map, and writes a PNG. Throws InputError where there
 /// is no OpenGL.
 void write_picture(const std::filesystem::path& file, const verdigris::Surface& surface,
-                   const verdigris::Field<std::int32_t>& values, bool labels,
-                   const verdigris::PicturePlan& plan);
+                   const CellValues& values, bool labels, const verdigris::PicturePlan& plan);
 
 /// The same of a flat torus: an image of its cells from above, each a square of whole pixels or, where there
 /// are too many, the mean of some. Needs no OpenGL.
 void write_torus_picture(const std::filesystem::path& file, const verdigris::Surface& surface,
-                         const verdigris::Field<std::int32_t>& values, bool labels,
-                         const verdigris::TorusPlan& torus);
+                         const CellValues& values, bool labels, const verdigris::TorusPlan& torus);
 
 /// Throws InputError when write_picture could not draw `plan`: known before a long run rather than after.
 void check_picture(const verdigris::PicturePlan& plan);

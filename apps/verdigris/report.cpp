@@ -71,10 +71,10 @@ void print_words(const RunReport& r) {
         r.mended.duplicates_removed, r.mended.triangles_flipped, r.mended.unorientable_components);
   fmt::print("{}{} steps{}\n", r.seeds == 0 ? "" : fmt::format("{} seeds, ", r.seeds), r.simulation.steps(),
              r.results.unreached == 0 ? "" : fmt::format("; {} cells were not reached", r.results.unreached));
-  const std::string speed =
-      r.sweeps
-          ? fmt::format("{:.2f} G updates/s", static_cast<double>(r.updates) / seconds_of(r, "grow") / 1e9)
-          : fmt::format("{:.1f} M cells/s", cells / grown(r) / 1e6);
+  const double updates = static_cast<double>(r.updates) / seconds_of(r, "grow");
+  const std::string speed = !r.sweeps       ? fmt::format("{:.1f} M cells/s", cells / grown(r) / 1e6)
+                            : updates > 1e9 ? fmt::format("{:.2f} G updates/s", updates / 1e9)
+                                            : fmt::format("{:.1f} M updates/s", updates / 1e6);
   fmt::print(
       "read {:.2f} s, build {:.2f} s ({:.1f} M cells/s), grow {:.2f} s ({}), write {:.2f} s, picture {:.2f} "
       "s; "

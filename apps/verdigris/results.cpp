@@ -62,14 +62,22 @@ void draw_results(const std::filesystem::path& out, const Surface& surface, cons
                   const Scene& scene) {
   const FieldInfo info = simulation.fields().front();
   const bool labels = info.kind == FieldKind::label;
-  Field<std::int32_t> values = simulation.field(info.name);
+  CellValues values;
+  if (info.real)
+    values = simulation.real_field(info.name);
+  else
+    values = simulation.field(info.name);
   const std::filesystem::path file = out / "picture.png";
   if (scene.torus.width != 0) return write_torus_picture(file, surface, values, labels, scene.torus);
   if (surface.barred_edges().empty() || scene.links == LinkKind::projected)
     return write_picture(file, surface, values, labels, scene.picture);
   const Surface open = make_surface(surface.mesh(), {scene.cell_size, scene.links});
-  open.links().for_each([&](std::uint32_t source, auto ghosts) {
-    for (const std::uint32_t ghost : ghosts) values[ghost] = values[source];
-  });
+  std::visit(
+      [&](auto& field) {
+        open.links().for_each([&](std::uint32_t source, auto ghosts) {
+          for (const std::uint32_t ghost : ghosts) field[ghost] = field[source];
+        });
+      },
+      values);
   write_picture(file, open, values, labels, scene.picture);
 }
