@@ -55,7 +55,7 @@ uniform bool holes;
 uniform vec3 colour_near[6];
 uniform vec3 colour_far[6];
 uniform vec4 terms[6];   // Ka, Kd, Ks, n
-uniform vec3 mirror[6];  // share, roughness, metal
+uniform vec3 mirror[6];  // share, roughness, metallic
 uniform vec3 room[3];    // floor, horizon, ceiling
 uniform vec3 up;
 uniform vec3 box_towards[3];
@@ -93,7 +93,7 @@ vec3 lit(int k) {
   vec3 light = sum * own;
   if (mirror[k].x > 0.0) {
     float grazing = pow(1.0 - max(facing, 0.0), 5.0) * (1.0 - mirror[k].y);
-    vec3 tinted = mix(mirror[k].z > 0.5 ? own : vec3(1.0), vec3(1.0), grazing);
+    vec3 tinted = mix(vec3(1.0), own, mirror[k].z * (1.0 - grazing));
     light += mirror[k].x * tinted * studio(mirrored, mirror[k].y);
   }
   return light;
@@ -140,7 +140,7 @@ void set_layers(GLuint program, const LayerStack& stack, const SceneStudio& stud
     vector(at("colour_near", k), l.colour);
     vector(at("colour_far", k), l.far_colour);
     glUniform4f(at("terms", k), l.ambient, l.diffuse, l.specular, l.shininess);
-    vector(at("mirror", k), {l.mirror, l.roughness, l.metal ? 1.0f : 0.0f});
+    vector(at("mirror", k), {l.mirror, l.roughness, l.metallic});
   };
   const std::size_t count = std::min(stack.layers.size(), most_layers);
   for (std::size_t k = 0; k < count; ++k) look(k, stack.layers[k]);

@@ -16,7 +16,7 @@ namespace verdigris {
 LayerLook metal_look(glm::vec3 colour, float roughness) {
   LayerLook look;
   look.colour = look.far_colour = colour;
-  look.metal = true;
+  look.metallic = 1.0f;
   look.opacity = 0.99f;
   look.roughness = roughness;
   // Hardly any light enters a metal: nearly all that it sends is mirrored. The highlight narrows with polish.
@@ -59,7 +59,7 @@ glm::vec3 lit_layer(const LayerLook& look, float tint, const SceneLight& light, 
   const glm::vec3 mirrored = 2.0f * facing * normal - to_eye;
   // Schlick 1994: everything mirrors more, and in white, where it is seen at a grazing angle.
   const float grazing = std::pow(1.0f - std::max(facing, 0.0f), 5.0f) * (1.0f - look.roughness);
-  const glm::vec3 tinted = glm::mix(look.metal ? colour : glm::vec3(1.0f), glm::vec3(1.0f), grazing);
+  const glm::vec3 tinted = glm::mix(glm::vec3(1.0f), colour, look.metallic * (1.0f - grazing));
   return sum + look.mirror * tinted * studio_light(studio, mirrored, look.roughness);
 }
 

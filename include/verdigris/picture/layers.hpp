@@ -24,7 +24,7 @@ struct LayerLook {
   float specular = 0.06f, shininess = 12.0f;  ///< Ks, n
   float mirror = 0.0f;                        ///< share of the studio that is reflected
   float roughness = 0.5f;                     ///< 0 mirror .. 1 matte: how blurred it is
-  bool metal = false;
+  float metallic = 0.0f;                      ///< 0..1: the mirror image takes on its colour
 };
 
 /// Looks of common kinds. `roughness` 0..1 sets highlight and mirror image.
