@@ -70,7 +70,7 @@ void expect_no_seam(const std::filesystem::path& file) {
                            "multifractal", "hybrid", "warp"})
     compare(name, {});
   // The finest that eight octaves reach here: 14,000 cells along the model.
-  compare("fbm", {{"frequency", 100.0}, {"H", 0.0}});
+  compare("fbm", {{"frequency", 100.0}, {"h", 0.0}});
   compare("cellular", {{"frequency", 10000.0}, {"distance", "F2-F1"}});
 }
 

@@ -12,4 +12,7 @@ namespace verdigris {
 /// there. Throws InputError for an image without pixels and when the file cannot be written.
 void write_png(const Image& image, const std::filesystem::path& file);
 
+/// A 16-bit grey PNG, marked linear: levels are data. Otherwise as write_png.
+void write_grey_png(const GreyImage& image, const std::filesystem::path& file);
+
 }  // namespace verdigris

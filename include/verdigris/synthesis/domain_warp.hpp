@@ -24,7 +24,7 @@ struct DomainWarp {
     series.parameters(v);
     v("strength", strength, 0.0, 1e6, "unit",
       "displacement where the displacing noise is 1 (its deviation is 0.3)");
-    v("warp-octaves", warp_octaves, 1, 32, "1", "octaves of the displacement");
+    v("warp_octaves", warp_octaves, 1, 32, "1", "octaves of the displacement");
   }
   std::unique_ptr<ScalarField> make(std::uint64_t seed) const;
 };

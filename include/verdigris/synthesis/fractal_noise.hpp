@@ -18,7 +18,7 @@ struct OctaveSeries {
   void parameters(V&& v) {
     v("octaves", octaves, 1, 32, "1", "how many scales; those finer than the sampling cost nothing");
     v("lacunarity", lacunarity, 1.1, 8.0, "1", "each octave is finer by this factor");
-    v("H", H, 0.0, 2.0, "1", "how fast octaves weaken: 1 is smooth, near 0 is roughest");
+    v("h", H, 0.0, 2.0, "1", "how fast octaves weaken: 1 is smooth, near 0 is roughest");
   }
 };
 
