@@ -133,18 +133,15 @@ std::size_t CorrosionGrowth::bytes() const {
   return sum;
 }
 
-double CorrosionGrowth::sum_over_corroded(const std::function<double(std::uint64_t, double)>& value) const {
-  const auto sum = [&](const auto& births, double rate) {
-    double total = 0.0;
+void CorrosionGrowth::visit_cohorts(
+    const std::function<void(std::uint64_t, double, std::uint64_t)>& visit) const {
+  const auto visit_births = [&](const auto& births, double rate) {
     for (std::size_t step = 0; step < births.size(); ++step)
-      if (births[step] != 0) total += static_cast<double>(births[step]) * value(steps() - step, rate);
-    return total;
+      if (births[step] != 0) visit(steps() - step, rate, births[step]);
   };
-  if (rate_.empty()) return sum(births_, 1.0);
-  double total = 0.0;
+  if (rate_.empty()) return visit_births(births_, 1.0);
   for (std::size_t k = 0; k < births_at_rate_.size(); ++k)
-    total += sum(births_at_rate_[k], static_cast<double>(k) / 255.0);
-  return total;
+    visit_births(births_at_rate_[k], static_cast<double>(k) / 255.0);
 }
 
 SavedState CorrosionGrowth::save() const {

@@ -81,9 +81,9 @@ class CorrosionGrowth final : public AnySimulation {
   std::uint64_t seeds_placed() const { return placed_; }  ///< new ones, beside those given
   /// [step] owned cells that became corroded in it; index 0 are the given seeds.
   const std::vector<std::uint64_t>& births() const { return births_; }
-  /// Sum of value(age in steps, rate 0..1) over all owned cells that have ever corroded, from the counts of
-  /// births: its cost grows with the steps made, not with the cells.
-  double sum_over_corroded(const std::function<double(std::uint64_t, double)>& value) const;
+  /// Calls visit(age in steps, rate 0..1, cells) for the owned cells that have ever corroded, those of one
+  /// age and rate together: its cost grows with the steps made, not with the cells.
+  void visit_cohorts(const std::function<void(std::uint64_t, double, std::uint64_t)>& visit) const;
 
  private:
   using Stepper = FrontStepper<CorrosionRule>;
