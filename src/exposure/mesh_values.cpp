@@ -1,51 +1,29 @@
 #include "verdigris/exposure/mesh_values.hpp"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <stdexcept>
 
+#include "at_cells.hpp"
 #include "verdigris/base/error.hpp"
 
 namespace verdigris {
 
-namespace {
-
-// value(patch, point in its plane) at every evolving cell.
-template <typename Value>
-Field<float> at_cells(const Surface& surface, Value&& value) {
-  Field<float> field(surface.slot_count(), 0.0f);
-  tbb::parallel_for(std::size_t{0}, surface.patch_count(), [&](std::size_t patch) {
-    for (std::uint32_t r = surface.row_begin(patch); r < surface.row_end(patch); ++r) {
-      const Row& row = surface.rows()[r];
-      for (std::uint32_t slot = row.run_begin; slot < row.run_end; ++slot) {
-        const auto column = static_cast<std::int32_t>(slot - row.base);
-        field[slot] = static_cast<float>(value(patch, surface.centre(surface.grid_row(patch, r), column)));
-      }
-    }
-  });
-  return field;
-}
-
-}  // namespace
-
 Field<float> interpolate_vertex_values(const Surface& surface, std::span<const double> values) {
   const Mesh& mesh = surface.mesh();
   if (values.size() != mesh.positions.size()) throw std::invalid_argument("not one value a vertex");
-  return at_cells(surface, [&](std::size_t patch, glm::dvec2 p) {
+  return at_cells(surface, [&](std::size_t patch, std::uint32_t, glm::dvec2 p) {
     const Frame& f = surface.frame(patch);
     const auto at = [&](std::uint8_t k) { return values[mesh.triangles[patch][(f.first_corner + k) % 3]]; };
-    // Barycentric coordinates in the frame: C by height, then B along the row.
-    const double c = f.cy > 0.0 ? p.y / f.cy : 0.0;
-    const double b = f.ab > 0.0 ? (p.x - c * f.cx) / f.ab : 0.0;
-    return (1.0 - b - c) * at(0) + b * at(1) + c * at(2);
+    const glm::dvec3 w = corner_weights(f, p);
+    return w.x * at(0) + w.y * at(1) + w.z * at(2);
   });
 }
 
 Field<float> spread_triangle_values(const Surface& surface, std::span<const double> values) {
   if (values.size() != surface.patch_count()) throw std::invalid_argument("not one value a triangle");
-  return at_cells(surface, [&](std::size_t patch, glm::dvec2) { return values[patch]; });
+  return at_cells(surface, [&](std::size_t patch, std::uint32_t, glm::dvec2) { return values[patch]; });
 }
 
 Field<float> file_values(const Surface& surface, std::span<const double> values, std::size_t file_vertices,
