@@ -13,40 +13,8 @@ namespace verdigris::gl {
 
 namespace {
 
-constexpr const char* layer_vertex = R"(#version 330 core
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec2 packed_normal;
-layout(location = 2) in vec4 depths;
-layout(location = 3) in vec2 presence_tint;
-uniform mat4 clip;
-centroid out vec3 at;
-centroid out vec3 normal;
-centroid out vec4 depth;
-centroid out vec2 state;
-
-vec3 unpack(vec2 p) {
-  vec3 n = vec3(p, 1.0 - abs(p.x) - abs(p.y));
-  float fold = max(-n.z, 0.0);
-  n.x += n.x < 0.0 ? fold : -fold;
-  n.y += n.y < 0.0 ? fold : -fold;
-  return normalize(n);
-}
-
-void main() {
-  at = position;
-  normal = unpack(packed_normal);
-  depth = depths * 12.0;
-  state = presence_tint;
-  gl_Position = clip * vec4(position, 1.0);
-}
-)";
-
-// Looks: the layers from above, the substrate, then what stands where metal is gone.
-constexpr const char* layer_fragment = R"(#version 330 core
-centroid in vec3 at;
-centroid in vec3 normal;
-centroid in vec4 depth;
-centroid in vec2 state;
+// What both stages share. Looks: the layers from above, the substrate, then what stands where metal is gone.
+constexpr const char* light_source = R"(
 uniform vec3 eye;
 uniform vec3 towards[2];
 uniform float strength[2];
@@ -62,7 +30,6 @@ uniform vec3 box_towards[3];
 uniform vec3 box_across[3];
 uniform vec3 box_along[3];
 uniform vec3 box_light[3];
-out vec4 colour;
 
 vec3 studio(vec3 from, float roughness) {
   float height = dot(from, up);
@@ -81,12 +48,12 @@ vec3 studio(vec3 from, float roughness) {
   return sum;
 }
 
-vec3 n, to_eye, mirrored;
-float facing;
+vec3 mirrored;
+float facing, tint;
 vec2 incidence, gloss;
 
 vec3 lit(int k) {
-  vec3 own = mix(colour_near[k], colour_far[k], state.y);
+  vec3 own = mix(colour_near[k], colour_far[k], tint);
   float sum = terms[k].x;
   for (int l = 0; l < 2; ++l)
     sum += strength[l] * (terms[k].y * max(incidence[l], 0.0) + terms[k].z * pow(gloss[l], terms[k].w));
@@ -99,11 +66,8 @@ vec3 lit(int k) {
   return light;
 }
 
-void main() {
-  if (holes && state.x < 0.5) discard;
-  n = normalize(normal);
-  if (!gl_FrontFacing) n = -n;
-  to_eye = normalize(eye - at);
+vec3 lit_cell(vec3 n, vec3 to_eye, vec4 depth, vec2 state) {
+  tint = state.y;
   facing = dot(n, to_eye);
   mirrored = 2.0 * facing * n - to_eye;
   for (int l = 0; l < 2; ++l) {
@@ -120,14 +84,83 @@ void main() {
   }
   if (passed > 1e-4) sum += passed * lit(layers);
   if (!holes && state.x < 1.0) sum = mix(lit(layers + 1), sum, state.x);
-  colour = vec4(min(sum, 1.0), 1.0);
+  return min(sum, 1.0);
+}
+)";
+
+constexpr const char* vertex_inputs = R"(
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec2 packed_normal;
+layout(location = 2) in vec4 depths;
+layout(location = 3) in vec2 presence_tint;
+uniform mat4 clip;
+centroid out vec2 state;
+
+vec3 unpack(vec2 p) {
+  vec3 n = vec3(p, 1.0 - abs(p.x) - abs(p.y));
+  float fold = max(-n.z, 0.0);
+  n.x += n.x < 0.0 ? fold : -fold;
+  n.y += n.y < 0.0 ? fold : -fold;
+  return normalize(n);
+}
+)";
+
+// Lit where it is seen: for cells larger than pixels.
+constexpr const char* fine_vertex = R"(
+centroid out vec3 at;
+centroid out vec3 normal;
+centroid out vec4 depth;
+void main() {
+  at = position;
+  normal = unpack(packed_normal);
+  depth = depths * 12.0;
+  state = presence_tint;
+  gl_Position = clip * vec4(position, 1.0);
+}
+)";
+constexpr const char* fine_fragment = R"(
+centroid in vec3 at;
+centroid in vec3 normal;
+centroid in vec4 depth;
+centroid in vec2 state;
+out vec4 colour;
+void main() {
+  if (holes && state.x < 0.5) discard;
+  vec3 n = normalize(normal);
+  colour = vec4(lit_cell(gl_FrontFacing ? n : -n, normalize(eye - at), depth, state), 1.0);
+}
+)";
+
+// Lit in the middle of each cell: where cells are no larger than pixels a software renderer, which shades
+// blocks of 16 pixels for each triangle, takes a quarter of the time (cup, 220,000 cells).
+constexpr const char* coarse_vertex = R"(
+centroid out vec3 light;
+void main() {
+  vec3 n = unpack(packed_normal), to_eye = normalize(eye - position);
+  state = presence_tint;
+  light = lit_cell(dot(n, to_eye) < 0.0 ? -n : n, to_eye, depths * 12.0, state);
+  gl_Position = clip * vec4(position, 1.0);
+}
+)";
+constexpr const char* coarse_fragment = R"(#version 330 core
+centroid in vec3 light;
+centroid in vec2 state;
+uniform bool holes;
+out vec4 colour;
+void main() {
+  if (holes && state.x < 0.5) discard;
+  colour = vec4(light, 1.0);
 }
 )";
 
 }  // namespace
 
-Program layer_program() {
-  return link_program(layer_vertex, layer_fragment);
+Program layer_program(bool fine) {
+  const std::string version = "#version 330 core\n";
+  if (fine)
+    return link_program((version + vertex_inputs + fine_vertex).c_str(),
+                        (version + light_source + fine_fragment).c_str());
+  return link_program((version + light_source + vertex_inputs + coarse_vertex).c_str(), coarse_fragment);
 }
 
 void set_layers(GLuint program, const LayerStack& stack, const SceneStudio& studio, bool holes) {

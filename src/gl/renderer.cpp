@@ -4,8 +4,11 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/vector_relational.hpp>
 #include <optional>
 
 #include "buffers.hpp"
@@ -41,6 +44,45 @@ BandBuilder make_builder(const Surface& s, const RenderOptions& o) {
           o.relief ? relief_directions(s.mesh()) : std::vector<glm::vec3>()};
 }
 
+// Every piece is closed and its triangles look outwards: those seen from behind are hidden.
+bool is_solid(const Mesh& mesh, const Adjacency& adjacency) {
+  if (std::find(adjacency.opposite.begin(), adjacency.opposite.end(), Adjacency::none) !=
+      adjacency.opposite.end())
+    return false;
+  const glm::dvec3 middle = mesh.positions.empty() ? glm::dvec3(0.0) : mesh.positions[0];
+  std::vector<bool> seen(mesh.triangles.size(), false);
+  std::vector<std::uint32_t> open;
+  for (std::uint32_t first = 0; first < seen.size(); ++first) {
+    if (seen[first]) continue;
+    double volume = 0.0;
+    seen[first] = true;
+    for (open.assign(1, first); !open.empty();) {
+      const std::uint32_t t = open.back();
+      open.pop_back();
+      volume += glm::dot(mesh.corner(t, 0) - middle,
+                         glm::cross(mesh.corner(t, 1) - middle, mesh.corner(t, 2) - middle));
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t across = adjacency.opposite[3 * t + k] / 3;
+        if (seen[across]) continue;
+        seen[across] = true;
+        open.push_back(across);
+      }
+    }
+    if (volume <= 0.0) return false;
+  }
+  return true;
+}
+
+// Cells of a surface that are smaller than this on the screen are lit at their centres only.
+constexpr double fine_pixels = 6.0;
+
+// The side of a cell in pixels where the model is nearest to the eye.
+double pixels_a_cell(const Surface& surface, const Camera& camera, glm::dvec3 origin) {
+  const Bounds bounds = mesh_bounds(surface.mesh());
+  const double distance = glm::distance(camera.eye, origin) - 0.5 * glm::distance(bounds.lower, bounds.upper);
+  return surface.cell_size() * camera.height / (2.0 * camera.tangent * std::max(distance, camera.near));
+}
+
 }  // namespace
 
 struct SurfaceRenderer::State {
@@ -48,14 +90,16 @@ struct SurfaceRenderer::State {
   RenderOptions options;
   BandBuilder builder;
   gl::Program surface = gl::surface_program(), background = gl::background_program();
-  std::optional<gl::Program> layers;
+  std::array<std::optional<gl::Program>, 2> layers;  // coarse, fine
+  bool solid;
   gl::VertexArray nothing;
   gl::Buffers passing;
   std::optional<gl::Target> target;
   std::vector<Chunk> chunks;
   std::size_t cached = 0, in_flight = 0;
 
-  State(const Surface& s, const RenderOptions& o) : options(o), builder(make_builder(s, o)) {
+  State(const Surface& s, const RenderOptions& o)
+      : options(o), builder(make_builder(s, o)), solid(is_solid(s.mesh(), s.adjacency())) {
     for (const BandRange& range : band_ranges(s, o.chunk_slots)) chunks.emplace_back(range);
   }
   State(const State&) = delete;
@@ -84,6 +128,11 @@ void SurfaceRenderer::State::begin(const Camera& camera) {
   draw_background();
   glEnable(GL_DEPTH_TEST);
   glClear(GL_DEPTH_BUFFER_BIT);
+  // A relief may fold over itself at its steepest: its inner side is better than the background.
+  const Bounds bounds = mesh_bounds(builder.surface().mesh());
+  const bool within =
+      glm::all(glm::lessThan(bounds.lower, camera.eye)) && glm::all(glm::lessThan(camera.eye, bounds.upper));
+  (solid && !within && !options.relief ? glEnable : glDisable)(GL_CULL_FACE);
   glPrimitiveRestartIndex(BandIndices::restart);
 }
 
@@ -188,6 +237,8 @@ Image SurfaceRenderer::draw(std::span<const Rgba8> slot_colours, const Camera& c
   State& s = *state_;
   assert(slot_colours.size() == s.builder.surface().slot_count());
   s.begin(camera);
+  const auto absent = [](Rgba8 colour) { return colour.a < 255; };
+  if (std::any_of(slot_colours.begin(), slot_colours.end(), absent)) glDisable(GL_CULL_FACE);
   s.set_uniforms(s.surface, camera);
   const LightSettings& light = s.options.light;
   glUniform4f(glGetUniformLocation(s.surface, "terms"), light.ambient, light.diffuse, light.specular,
@@ -204,9 +255,12 @@ Image SurfaceRenderer::draw(const LayerPicture& picture, const Camera& camera) {
   assert(picture.cells.size() == s.builder.surface().slot_count());
   assert(picture.relief == nullptr || s.options.relief);
   s.begin(camera);
-  if (!s.layers) s.layers = gl::layer_program();
-  s.set_uniforms(*s.layers, camera);
-  gl::set_layers(*s.layers, picture.stack, place_studio(picture.studio, camera), picture.holes);
+  const bool fine = pixels_a_cell(s.builder.surface(), camera, s.builder.origin()) > fine_pixels;
+  std::optional<gl::Program>& program = s.layers[fine];
+  if (!program) program = gl::layer_program(fine);
+  s.set_uniforms(*program, camera);
+  gl::set_layers(*program, picture.stack, place_studio(picture.studio, camera), picture.holes);
+  if (picture.holes) glDisable(GL_CULL_FACE);
   s.draw_chunks([&](Chunk& chunk) {
     chunk.cells.resize(chunk.vertices);
     layer_bands(chunk.bands, picture.cells, chunk.cells);
