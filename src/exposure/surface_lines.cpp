@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <unordered_set>
 
+#include "verdigris/base/error.hpp"
 #include "verdigris/exposure/surface_turtle.hpp"
 #include "verdigris/surface/walk.hpp"
 
@@ -34,28 +35,10 @@ void sample(const Surface& surface, const SurfaceLine& line, double spacing, Vis
   }
 }
 
-}  // namespace
+constexpr std::size_t most_samples = 50'000'000;
 
-std::vector<LineCell> cells_of(const Surface& surface, const SurfaceDrawing& drawing) {
-  const std::vector<bool> no_barrier;
-  const Unfolding unfolding(surface.frames(), surface.adjacency(), no_barrier);
-  const double spacing = 0.5 * surface.cell_size();
-  std::vector<LineCell> cells;
-  for (const SurfaceLine& line : drawing.lines)
-    sample(surface, line, spacing, [&](const SurfacePoint& at, const glm::dvec2& direction, double width) {
-      const glm::dvec2 across(-direction.y, direction.x);
-      const int aside = static_cast<int>(0.5 * width / spacing);
-      for (int k = -aside; k <= aside; ++k) {
-        SurfacePoint place = at;
-        if (k != 0) {
-          const auto landing = unfolding.walk(at.triangle, at.point, at.point + k * spacing * across);
-          if (!landing) continue;
-          place = {landing->patch, landing->point};
-        }
-        const auto slot = cell_at(surface, place);
-        if (slot) cells.push_back({*slot, line.generation, width});
-      }
-    });
+// By slot, each once.
+void merge(std::vector<LineCell>& cells) {
   std::sort(cells.begin(), cells.end(), [](const LineCell& a, const LineCell& b) { return a.slot < b.slot; });
   std::size_t kept = 0;
   for (const LineCell& cell : cells) {
@@ -67,6 +50,41 @@ std::vector<LineCell> cells_of(const Surface& surface, const SurfaceDrawing& dra
     }
   }
   cells.resize(kept);
+}
+
+}  // namespace
+
+std::vector<LineCell> cells_of(const Surface& surface, const SurfaceDrawing& drawing) {
+  const std::vector<bool> no_barrier;
+  const Unfolding unfolding(surface.frames(), surface.adjacency(), no_barrier);
+  const double spacing = 0.5 * surface.cell_size();
+  const Bounds bounds = mesh_bounds(surface.mesh());
+  const double extent = glm::distance(bounds.lower, bounds.upper);
+  std::vector<LineCell> cells;
+  std::size_t looked_at = 0, merge_at = std::size_t{1} << 22;
+  for (const SurfaceLine& line : drawing.lines)
+    sample(surface, line, spacing, [&](const SurfacePoint& at, const glm::dvec2& direction, double width) {
+      const glm::dvec2 across(-direction.y, direction.x);
+      const int aside = static_cast<int>(std::min(0.5 * std::min(width, 4.0 * extent) / spacing, 1e8));
+      looked_at += 2 * static_cast<std::size_t>(aside) + 1;
+      if (looked_at > most_samples || width > 2.0 * extent)
+        throw InputError("width", "the lines are so wide or long that they cover the surface many times over",
+                         "draw narrower lines, or use larger cells");
+      for (int k = -aside; k <= aside; ++k) {
+        SurfacePoint place = at;
+        if (k != 0) {
+          const auto landing = unfolding.walk(at.triangle, at.point, at.point + k * spacing * across);
+          if (!landing) continue;
+          place = {landing->patch, landing->point};
+        }
+        const auto slot = cell_at(surface, place);
+        if (slot) cells.push_back({*slot, line.generation, width});
+      }
+      if (cells.size() < merge_at) return;
+      merge(cells);
+      merge_at = std::max(merge_at, 2 * cells.size());
+    });
+  merge(cells);
   return cells;
 }
 

@@ -31,7 +31,11 @@ class SurfaceTurtle {
     if (!pen_down) at_.line = no_line;
     if (at_.stopped) return;
     const glm::dvec2 step = distance * glm::dvec2(at_.pose.heading);
-    const Trace trace = unfolding_.trace(at_.at.triangle, at_.at.point, at_.at.point + step);
+    const Trace trace = unfolding_.trace(at_.at.triangle, at_.at.point, at_.at.point + step, most_crossings);
+    pieces_ += trace.pieces.size();
+    if (pieces_ > most_pieces || trace.pieces.size() > std::size_t{most_crossings})
+      throw InputError("step", "the lines cross edges too often",
+                       "draw with a smaller step, or rewrite fewer times");
     if (pen_down) {
       if (at_.line == no_line) begin_line();
       for (const Trace::Piece& piece : trace.pieces) add({piece.patch, piece.to});
@@ -90,8 +94,11 @@ class SurfaceTurtle {
     line.widths.push_back(at_.width);
   }
 
+  static constexpr int most_crossings = 1 << 20;  // of one step
+  static constexpr std::size_t most_pieces = 20'000'000;
   const Surface& surface_;
   Unfolding unfolding_;
+  std::size_t pieces_ = 0;
   State at_;
   std::vector<State> stack_;
 };

@@ -22,8 +22,18 @@ LineField::LineField(std::span<const TurtleLine> lines, double falloff) : fallof
     for (std::size_t k = 1; k < line.points.size(); ++k)
       segments_.push_back({placed(line.points[k - 1]), placed(line.points[k])});
 
-  const int across = static_cast<int>(std::clamp(1.0 / falloff, 4.0, flat_ ? 512.0 : 64.0));
-  bins_ = {across, across, flat_ ? 1 : across};
+  // Cubes about as large as the falloff; larger where long lines would come into too many.
+  int across = static_cast<int>(std::clamp(1.0 / falloff, 4.0, flat_ ? 512.0 : 64.0));
+  for (;; across /= 2) {
+    bins_ = {across, across, flat_ ? 1 : across};
+    std::size_t members = 0;
+    for (const Segment& s : segments_) {
+      const glm::ivec3 span = bin_of(glm::max(s.from, s.to)) - bin_of(glm::min(s.from, s.to)) + 1;
+      members += static_cast<std::size_t>(span.x) * static_cast<std::size_t>(span.y) *
+                 static_cast<std::size_t>(span.z);
+    }
+    if (members <= std::size_t{50'000'000} || across == 1) break;
+  }
   begin_.assign(static_cast<std::size_t>(bins_.x) * static_cast<std::size_t>(bins_.y) *
                         static_cast<std::size_t>(bins_.z) +
                     1,

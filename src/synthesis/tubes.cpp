@@ -1,11 +1,12 @@
 #include "verdigris/synthesis/tubes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
 #include <numbers>
-#include <stdexcept>
 #include <unordered_set>
 
 #include "verdigris/base/error.hpp"
@@ -16,6 +17,9 @@ namespace {
 
 // Beyond this a mitre would grow without end; the tube ends and another begins.
 constexpr double sharpest_cosine = -0.17364817766693033;  // of 100 degrees
+
+// About 2 GB while it is made.
+constexpr std::size_t most_vertices = 20'000'000;
 
 struct Node {
   glm::dvec3 point;
@@ -48,8 +52,9 @@ class TubeMaker {
   // A run of nodes without repeats or sharp bends.
   void add(std::span<const Node> nodes) {
     const std::size_t first = mesh.positions.size();
-    if (first + nodes.size() * sides_ > 0xFFFFFFF0u)
-      throw InputError("tubes", "more vertices than 32 bits can number", "use fewer iterations or sides");
+    if (first + nodes.size() * sides_ > most_vertices)
+      throw InputError("tubes", fmt::format("more than {} vertices", most_vertices),
+                       "use fewer iterations or sides");
     place_rings(nodes);
     join(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(nodes.size()));
   }

@@ -172,5 +172,18 @@ TEST(SurfaceTurtle, FollowsModelsAndIsTheSameTwice) {
   EXPECT_THROW(draw_on_surface(surface, word, settings, {{std::nan(""), 0, 0}, {0, 0, 1}}), InputError);
 }
 
+TEST(SurfaceTurtle, NeverRunsAway) {
+  const Surface surface = make_surface(shapes::cube(1.0), {.cell_size = 0.01});
+  TurtleSettings settings;
+  settings.step = 1e6;
+  EXPECT_THROW(
+      draw_on_surface(surface, word_of(std::string(1000, 'F')), settings, {{0.3, 0.2, 1.0}, {1, 0.1, 0}}),
+      InputError);
+  settings.step = 1.0;
+  settings.width = 1e6;
+  const SurfaceDrawing wide = draw_on_surface(surface, word_of("F"), settings, {{0.3, 0.2, 1.0}, {1, 0, 0}});
+  EXPECT_THROW(cells_of(surface, wide), InputError);
+}
+
 }  // namespace
 }  // namespace verdigris

@@ -117,7 +117,7 @@ TEST(LSystem, FaultsAreSaidWithLineAndColumn) {
   expect(std::string("axiom = F\nF -> F\0G\n", 18), "plant.txt:2:7: ");
   expect("axiom = F(1,2,3,4,5,6,7,8,9)\n", "plant.txt:1:10: too many");
   expect("axiom = F(" + std::string(100, '(') + "1" + std::string(100, ')') + ")\n", "plant.txt:1:");
-  expect("axiom = F\n" + std::string(2 << 20, '#'), "plant.txt: ");
+  expect(std::string(2 << 20, '#'), "plant.txt: ");
 }
 
 TEST(LSystem, NoTextHangsOrCrashes) {

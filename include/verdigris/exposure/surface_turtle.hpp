@@ -39,7 +39,8 @@ struct SurfaceDrawing {
 
 /// Draws a word on the surface. Turns are turns about the normal; a turtle that pitches or rolls draws the
 /// shadow of what it would draw in space, straight down on the surface: pitched branches look shorter.
-/// Throws InputError for a surface without triangles, and for a start that is not finite.
+/// Throws InputError for a surface without triangles, for a start that is not finite, and for lines that
+/// cross edges more than 20 million times.
 SurfaceDrawing draw_on_surface(const Surface& surface, const Word& word, const TurtleSettings& settings,
                                const SurfaceStart& start);
 
@@ -51,7 +52,7 @@ struct LineCell {
 };
 
 /// The owned cells whose centres lie within half a line's width of it, and those the line passes through, by
-/// slot, each once.
+/// slot, each once. Throws InputError for lines so wide that they would cover the surface many times over.
 std::vector<LineCell> cells_of(const Surface& surface, const SurfaceDrawing& drawing);
 
 /// `value` in the cells, 0 elsewhere: a mask for a behaviour.
