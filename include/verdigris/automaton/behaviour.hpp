@@ -68,12 +68,14 @@ concept StampedBehaviour = FrontBehaviour<B> && B::stamped;
 /// A FrontBehaviour some of whose changes concern only cells that wait anyway. `wakes(before, after)`: after
 /// this change the cell and its neighbours have to be looked at. `quiet(n)`: nothing around the cell has
 /// changed since the start, and it will not change before something does; told from states alone, so that a
-/// front finds where it stands after a restart.
+/// front finds where it stands after a restart. `still_waits(n, state)`: whether the cell waits, now that
+/// `next` of this neighbourhood has made it `state`.
 template <typename B>
 concept WakingBehaviour = FrontBehaviour<B> &&
     requires(const B& b, const Neighbourhood<typename B::State>& n, typename B::State s) {
   { b.wakes(s, s) } -> std::same_as<bool>;
   { b.quiet(n) } -> std::same_as<bool>;
+  { b.still_waits(n, s) } -> std::same_as<bool>;
 };
 
 /// A FrontBehaviour whose cells may lie still for a known time. `alarm(s)`: the step in which a cell in state

@@ -292,8 +292,8 @@ class FrontStepper {
       const bool changed = next != *n.here;
       bool waits = false;
       if constexpr (WakingBehaviour<B>)
-        waits =
-            !(changed && behaviour_.wakes(*n.here, next)) && !behaviour_.settled(next) && behaviour_.waits(n);
+        waits = !(changed && behaviour_.wakes(*n.here, next)) && !behaviour_.settled(next) &&
+                behaviour_.still_waits(n, next);
       else
         waits = !changed && behaviour_.waits(n);
       changes.put_if({place->row, place->slot, next}, changed);

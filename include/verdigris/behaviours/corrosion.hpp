@@ -66,7 +66,10 @@ struct CorrosionRule {
   std::array<std::uint64_t, 256> lifetime;  ///< [rate] age in steps at which no metal is left
   std::uint64_t now = 0;                    ///< the step being made
 
-  explicit CorrosionRule(const CorrosionForces& f = {}) : forces_(f), ripe_(f.ripe_age()) {
+  explicit CorrosionRule(const CorrosionForces& f = {})
+      : forces_(f),
+        ripe_(f.ripe_age()),
+        can_hold_(std::max(f.defence, f.strong_defence) + 8.0 * f.support >= f.attack) {
     lifetime.fill(~std::uint64_t{0});
   }
   const CorrosionForces& forces() const { return forces_; }
@@ -94,13 +97,13 @@ struct CorrosionRule {
     for (const State s : around(n)) any = any || corroded(s);
     return !any;
   }
-  bool waits(const Neighbourhood<State>& n) const {
-    const State here = *n.here;
-    if ((here & done_bit) != 0 || here >= absent) return false;
-    if (corroded(here) && now + 2 - birth(here) < ripe_) return false;
-    bool any = false;
-    for (const State s : around(n)) any |= sound(here) ? (s & 0xFFu) != 0 : sound(s) && (s & done_bit) == 0;
-    return any;
+  bool waits(const Neighbourhood<State>& n) const { return still_waits(n, *n.here); }
+  bool still_waits(const Neighbourhood<State>& n, State here) const {
+    if (!sound(here)) return here < absent && (here & (done_bit | idle_bit)) == 0 && (here & 0xFFu) != 0;
+    if ((here & done_bit) != 0) return false;
+    State any = 0;
+    for (const State s : around(n)) any |= s;
+    return (any & 0xFFu) != 0;
   }
   /// A cell too young to overcome anyone sleeps until it is not.
   std::uint64_t alarm(State s) const {
@@ -137,9 +140,8 @@ struct CorrosionRule {
   }
   /// f1: how many of `valid` sound neighbours a cell of `age` attacks.
   std::uint32_t attacked(std::uint32_t valid, std::uint64_t age) const {
-    const std::uint64_t most = std::min(valid, 7u) - 1u;
-    return 1u + static_cast<std::uint32_t>(most * std::min<std::uint64_t>(age, forces_.reach_age) /
-                                           forces_.reach_age);
+    const auto grown = static_cast<std::uint32_t>(std::min<std::uint64_t>(age, forces_.reach_age));
+    return 1u + (std::min(valid, 7u) - 1u) * grown / forces_.reach_age;
   }
 
  private:
@@ -149,12 +151,13 @@ struct CorrosionRule {
 
   CorrosionForces forces_;
   std::uint64_t ripe_;
+  bool can_hold_;  // some cell may hold against the full force
 };
 
 inline CorrosionRule::State CorrosionRule::defend(const Neighbourhood<State>& n,
                                                   const CellRandom& random) const {
   const auto near = around(n);
-  const State here = held(*n.here, near, random.cell());
+  const State here = can_hold_ || !exposure.empty() ? held(*n.here, near, random.cell()) : *n.here;
   if ((here & done_bit) != 0) return here;
   std::uint32_t attackers = 0;
   for (unsigned k = 0; k < 8; ++k) attackers |= (near[k] >> ((k + 4) % 8) & 1u) << k;
@@ -205,13 +208,15 @@ inline CorrosionRule::State CorrosionRule::draw(std::uint32_t count, const CellR
   std::array<std::uint32_t, 8> key;
   for (unsigned k = 0; k < 8; ++k) {
     const std::uint32_t u = (words[k / 2] >> (k % 2 * 16) & 0xFFFFu) + 1u;
-    key[k] = k % 2 == 0 ? u * 0xFFFFu : u * u - (u >> 16);
+    // With the direction in the last bits no two are equal, and no branch is needed to find it.
+    key[k] = ((k % 2 == 0 ? u * 0xFFFFu : u * u - (u >> 16)) & ~7u) | k;
   }
   State chosen = 0;
   for (; count > 0; --count) {
-    const auto k = static_cast<unsigned>(std::max_element(key.begin(), key.end()) - key.begin());
-    chosen |= State{1} << k;
-    key[k] = 0;
+    std::uint32_t greatest = 0;
+    for (const std::uint32_t other : key) greatest = std::max(greatest, other);
+    chosen |= State{1} << (greatest & 7u);
+    for (std::uint32_t& other : key) other = other == greatest ? 0 : other;
   }
   return chosen;
 }
