@@ -30,7 +30,7 @@ rows() {
     /^ *}/ { if (name != "" && ms != "") printf "| %s | %.3g | %s | %s | %s | %s |\n", name, ms, rate, bytes, share, other
              name = ms = rate = bytes = share = other = "" }'
 }
-for stage in read surface growth sweep life noise picture; do
+for stage in read surface growth corrosion sweep life noise picture; do
   [ -x $build/bench/bench_$stage ] && rows $build/bench/bench_$stage
 done
 rows $build/bench/peers/bench_partition
