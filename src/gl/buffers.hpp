@@ -47,7 +47,7 @@ struct Buffers {
     fill(GL_ARRAY_BUFFER, values, cells, GL_STREAM_DRAW);
     constexpr GLsizei stride = sizeof(LayerCell);
     glVertexAttribPointer(2, 4, GL_UNSIGNED_SHORT, GL_TRUE, stride, nullptr);
-    glVertexAttribPointer(3, 2, GL_UNSIGNED_BYTE, GL_TRUE, stride,
+    glVertexAttribPointer(3, 3, GL_UNSIGNED_BYTE, GL_TRUE, stride,
                           reinterpret_cast<const void*>(offsetof(LayerCell, present)));
     glEnableVertexAttribArray(2);
     glEnableVertexAttribArray(3);

@@ -49,25 +49,26 @@ vec3 studio(vec3 from, float roughness) {
 }
 
 vec3 mirrored;
-float facing, tint;
+float facing, tint, open;
 vec2 incidence, gloss;
 
 vec3 lit(int k) {
   vec3 own = mix(colour_near[k], colour_far[k], tint);
-  float sum = terms[k].x;
+  float sum = open * terms[k].x, lamps = 0.5 + 0.5 * open;
   for (int l = 0; l < 2; ++l)
-    sum += strength[l] * (terms[k].y * max(incidence[l], 0.0) + terms[k].z * pow(gloss[l], terms[k].w));
+    sum += lamps * strength[l] * (terms[k].y * max(incidence[l], 0.0) + terms[k].z * pow(gloss[l], terms[k].w));
   vec3 light = sum * own;
   if (mirror[k].x > 0.0) {
     float grazing = pow(1.0 - max(facing, 0.0), 5.0) * (1.0 - mirror[k].y);
     vec3 tinted = mix(vec3(1.0), own, mirror[k].z * (1.0 - grazing));
-    light += mirror[k].x * tinted * studio(mirrored, mirror[k].y);
+    light += open * mirror[k].x * tinted * studio(mirrored, mirror[k].y);
   }
   return light;
 }
 
-vec3 lit_cell(vec3 n, vec3 to_eye, vec4 depth, vec2 state) {
+vec3 lit_cell(vec3 n, vec3 to_eye, vec4 depth, vec3 state) {
   tint = state.y;
+  open = state.z;
   facing = dot(n, to_eye);
   mirrored = 2.0 * facing * n - to_eye;
   for (int l = 0; l < 2; ++l) {
@@ -92,9 +93,9 @@ constexpr const char* vertex_inputs = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec2 packed_normal;
 layout(location = 2) in vec4 depths;
-layout(location = 3) in vec2 presence_tint;
+layout(location = 3) in vec3 presence_tint_open;
 uniform mat4 clip;
-centroid out vec2 state;
+centroid out vec3 state;
 
 vec3 unpack(vec2 p) {
   vec3 n = vec3(p, 1.0 - abs(p.x) - abs(p.y));
@@ -114,7 +115,7 @@ void main() {
   at = position;
   normal = unpack(packed_normal);
   depth = depths * 12.0;
-  state = presence_tint;
+  state = presence_tint_open;
   gl_Position = clip * vec4(position, 1.0);
 }
 )";
@@ -122,7 +123,7 @@ constexpr const char* fine_fragment = R"(
 centroid in vec3 at;
 centroid in vec3 normal;
 centroid in vec4 depth;
-centroid in vec2 state;
+centroid in vec3 state;
 out vec4 colour;
 void main() {
   if (holes && state.x < 0.5) discard;
@@ -137,14 +138,14 @@ constexpr const char* coarse_vertex = R"(
 centroid out vec3 light;
 void main() {
   vec3 n = unpack(packed_normal), to_eye = normalize(eye - position);
-  state = presence_tint;
+  state = presence_tint_open;
   light = lit_cell(dot(n, to_eye) < 0.0 ? -n : n, to_eye, depths * 12.0, state);
   gl_Position = clip * vec4(position, 1.0);
 }
 )";
 constexpr const char* coarse_fragment = R"(#version 330 core
 centroid in vec3 light;
-centroid in vec2 state;
+centroid in vec3 state;
 uniform bool holes;
 out vec4 colour;
 void main() {

@@ -46,12 +46,13 @@ float optical_depth(const LayerLook& look, float micrometres) {
 }
 
 glm::vec3 lit_layer(const LayerLook& look, float tint, const SceneLight& light, const SceneStudio& studio,
-                    glm::vec3 normal, glm::vec3 to_eye) {
+                    glm::vec3 normal, glm::vec3 to_eye, float open) {
   const glm::vec3 colour = glm::mix(look.colour, look.far_colour, tint);
   SceneLight own = light;
-  own.ambient = look.ambient;
-  own.diffuse = look.diffuse;
-  own.specular = look.specular;
+  const float lamps = 0.5f + 0.5f * open;
+  own.ambient = open * look.ambient;
+  own.diffuse = lamps * look.diffuse;
+  own.specular = lamps * look.specular;
   own.shininess = look.shininess;
   const glm::vec3 sum = lit(own, normal, to_eye, colour);
   if (look.mirror <= 0.0f) return sum;
@@ -60,7 +61,7 @@ glm::vec3 lit_layer(const LayerLook& look, float tint, const SceneLight& light, 
   // Schlick 1994: everything mirrors more, and in white, where it is seen at a grazing angle.
   const float grazing = std::pow(1.0f - std::max(facing, 0.0f), 5.0f) * (1.0f - look.roughness);
   const glm::vec3 tinted = glm::mix(glm::vec3(1.0f), colour, look.metallic * (1.0f - grazing));
-  return sum + look.mirror * tinted * studio_light(studio, mirrored, look.roughness);
+  return sum + open * look.mirror * tinted * studio_light(studio, mirrored, look.roughness);
 }
 
 glm::vec3 mix_layers(std::span<const glm::vec3> lit, std::span<const float> depths) {
@@ -84,7 +85,9 @@ glm::vec3 lit_cell(const LayerStack& stack, const LayerCell& cell, const SceneLi
   assert(stack.layers.size() <= most_layers);
   const float tint = static_cast<float>(cell.tint) / 255.0f,
               present = static_cast<float>(cell.present) / 255.0f;
-  const auto of = [&](const LayerLook& look) { return lit_layer(look, tint, light, studio, normal, to_eye); };
+  const auto of = [&](const LayerLook& look) {
+    return lit_layer(look, tint, light, studio, normal, to_eye, static_cast<float>(cell.open) / 255.0f);
+  };
   std::array<glm::vec3, most_layers + 1> lights;
   std::array<float, most_layers + 1> depths;
   const std::size_t count = stack.layers.size();
@@ -113,18 +116,20 @@ void layer_bands(const BandMesh& bands, std::span<const LayerCell> slots, std::s
       for (std::uint32_t n = begin + 1; n < end; ++n) uniform &= slots[bands.blends[n].slot] == cell;
       if (uniform) continue;
       std::array<float, most_layers> depth{};
-      float present = 0.0f, tint = 0.0f;
+      float present = 0.0f, tint = 0.0f, open = 0.0f;
       for (std::uint32_t n = begin; n < end; ++n) {
         const LayerCell& from = slots[bands.blends[n].slot];
         const float weight = bands.blends[n].weight;
         for (std::size_t l = 0; l < most_layers; ++l) depth[l] += weight * static_cast<float>(from.depth[l]);
         present += weight * static_cast<float>(from.present);
         tint += weight * static_cast<float>(from.tint);
+        open += weight * static_cast<float>(from.open);
       }
       for (std::size_t l = 0; l < most_layers; ++l)
         cell.depth[l] = static_cast<std::uint16_t>(std::min(depth[l] + 0.5f, 65535.0f));
       cell.present = static_cast<std::uint8_t>(std::min(present + 0.5f, 255.0f));
       cell.tint = static_cast<std::uint8_t>(std::min(tint + 0.5f, 255.0f));
+      cell.open = static_cast<std::uint8_t>(std::min(open + 0.5f, 255.0f));
     }
 }
 

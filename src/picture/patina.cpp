@@ -16,10 +16,8 @@ namespace verdigris {
 LayerLook look_of(const Finish& finish) {
   LayerLook look;
   for (int k = 0; k < 3; ++k) look.colour[k] = srgb_to_linear(finish.colour[k]);
-  // Crusts pale where they are loose; a metal is of one colour.
-  look.far_colour =
-      look.colour + (1.0f - finish.metallic) * 0.30f *
-                        (0.55f * glm::vec3(0.8f, 0.9f, 0.8f) + 0.6f * look.colour - 0.45f * look.colour);
+  // A crust pales where it is loose; a metal is of one colour.
+  look.far_colour = (1.0f + 0.7f * (1.0f - finish.metallic)) * look.colour;
   const float smooth = 1.0f - finish.roughness;
   look.roughness = finish.roughness;
   look.metallic = finish.metallic;
@@ -29,7 +27,7 @@ LayerLook look_of(const Finish& finish) {
   look.specular = 0.5f * finish.specular;
   look.shininess = std::max(finish.shininess, 1.0f);
   look.mirror =
-      (1.0f - 0.35f * finish.roughness) * finish.metallic + 0.06f * smooth * (1.0f - finish.metallic);
+      (1.0f - 0.35f * finish.roughness) * finish.metallic + 0.03f * smooth * (1.0f - finish.metallic);
   return look;
 }
 
@@ -101,7 +99,7 @@ class AgeTable {
 }  // namespace
 
 std::vector<LayerCell> patina_cells(const Material& material, const PatinaAges& ages,
-                                    std::span<const std::uint8_t> tints) {
+                                    const PatinaGround& ground) {
   const LayerStack looks = looks_of(material);
   const AgeTable<LayerCell> table(ages, [&](double years, double rate) {
     LayerCell cell;
@@ -118,7 +116,8 @@ std::vector<LayerCell> patina_cells(const Material& material, const PatinaAges& 
                     [&](const tbb::blocked_range<std::size_t>& range) {
                       for (std::size_t slot = range.begin(); slot < range.end(); ++slot) {
                         cells[slot] = table(slot);
-                        if (!tints.empty()) cells[slot].tint = tints[slot];
+                        if (!ground.tints.empty()) cells[slot].tint = ground.tints[slot];
+                        if (!ground.open.empty()) cells[slot].open = ground.open[slot];
                       }
                     });
   return cells;

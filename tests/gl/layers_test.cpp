@@ -50,6 +50,7 @@ void expect_light_of_the_cpu(int cells) {
     for (auto& depth : cell.depth)
       depth = LayerCell::packed(unit(random) < 0.4f ? 0.0f : 3.0f * unit(random) * unit(random));
     cell.tint = static_cast<std::uint8_t>(255.0f * unit(random));
+    cell.open = static_cast<std::uint8_t>(255.0f * unit(random));
     cell.present = unit(random) < 0.8f ? 255 : static_cast<std::uint8_t>(255.0f * unit(random));
   }
   const auto block_at = [&](glm::dvec3 p) {

@@ -34,9 +34,11 @@ LayerLook crust_look(glm::vec3 colour, float roughness, float opacity, float cle
 /// a = t / (1 - o) of the paper, for a thickness in micrometres; 0 or more.
 float optical_depth(const LayerLook& look, float micrometres);
 
-/// Light that the layer alone sends to the eye. Linear; may exceed 1. Unit vectors, as for `lit`.
+/// Light that the layer alone sends to the eye. Linear; may exceed 1. Unit vectors, as for `lit`. `open` is
+/// the share of its surroundings that the place sees (ambient occlusion): a factor on Ka and the mirror
+/// image, and on half of what comes from the lamps; 1 is the paper's light.
 glm::vec3 lit_layer(const LayerLook& look, float tint, const SceneLight& light, const SceneStudio& studio,
-                    glm::vec3 normal, glm::vec3 to_eye);
+                    glm::vec3 normal, glm::vec3 to_eye, float open = 1.0f);
 
 /// c = sum l_i (e^-A(i-1) - e^-A(i)) / (1 - e^-A(n)), A(i) the sum of the optical depths of layers 1..i, for
 /// any number of layers, the uppermost first. With two it is the paper's formula. The last may be infinitely
@@ -53,6 +55,8 @@ struct LayerCell {
   std::array<std::uint16_t, most_layers> depth{};  ///< optical, uppermost first; 65535 is most_depth
   std::uint8_t present = 255;                      ///< 0: its metal is gone
   std::uint8_t tint = 0;                           ///< between LayerLook::colour and far_colour
+
+  std::uint8_t open = 255;  ///< share of its surroundings it sees, see lit_layer
 
   static std::uint16_t packed(float depth);
   friend bool operator==(const LayerCell&, const LayerCell&) = default;

@@ -27,10 +27,14 @@ struct PatinaAges {
   double now = 0.0;  ///< years since the first step; cells that corrode later are sound
 };
 
-/// [slot] the layers of each cell, ghosts included; a cell whose metal is gone is not present. `tints` [slot]
-/// go into LayerCell::tint, or none.
+/// What stays the same over all ages: LayerCell::tint and open, [slot], or empty.
+struct PatinaGround {
+  std::vector<std::uint8_t> tints, open;
+};
+
+/// [slot] the layers of each cell, ghosts included; a cell whose metal is gone is not present.
 std::vector<LayerCell> patina_cells(const Material& material, const PatinaAges& ages,
-                                    std::span<const std::uint8_t> tints = {});
+                                    const PatinaGround& ground = {});
 
 /// [slot] how far each cell stands out over a sound one, in micrometres: what its layers have grown by, less
 /// the metal lost.

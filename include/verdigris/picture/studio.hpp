@@ -21,10 +21,10 @@ struct SoftBox {
 /// over the viewer's left shoulder, a tall cool strip on the right, a low one behind on the left that draws
 /// the outline, and dark walls between them, for metal is known by its contrasts.
 struct StudioSettings {
-  glm::vec3 floor{0.10f, 0.09f, 0.085f}, horizon{0.34f, 0.33f, 0.32f}, ceiling{0.62f, 0.64f, 0.67f};
-  std::array<SoftBox, 3> boxes{SoftBox{{-0.75f, 0.85f, 0.80f}, {0.55f, 0.45f}, {1.75f, 1.66f, 1.52f}},
-                               SoftBox{{1.00f, 0.25f, 0.35f}, {0.22f, 0.95f}, {1.00f, 1.08f, 1.20f}},
-                               SoftBox{{-0.95f, 0.10f, -0.45f}, {0.25f, 0.90f}, {0.95f, 0.93f, 0.90f}}};
+  glm::vec3 floor{0.20f, 0.18f, 0.165f}, horizon{0.62f, 0.61f, 0.59f}, ceiling{0.80f, 0.82f, 0.86f};
+  std::array<SoftBox, 3> boxes{SoftBox{{-0.75f, 0.85f, 0.80f}, {0.55f, 0.50f}, {1.25f, 1.19f, 1.10f}},
+                               SoftBox{{1.00f, 0.20f, 0.45f}, {0.25f, 1.00f}, {0.55f, 0.60f, 0.68f}},
+                               SoftBox{{-0.95f, 0.10f, -0.45f}, {0.25f, 0.90f}, {0.60f, 0.59f, 0.57f}}};
 };
 
 /// The same, turned into the world of one camera: what both the CPU and the shader compute with.
