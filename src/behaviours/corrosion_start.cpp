@@ -108,7 +108,7 @@ Field<Word> first_state(const SimulationSetup& setup, const CorrosionParameters&
   });
   for (const Seed& seed : setup.seeds) state[seed.slot] = CorrosionRule::corroded_word(0, state[seed.slot]);
   show_ghosts(surface, state);
-  // Holding changes no bit that this reads.
+  std::vector<std::uint8_t> holds(surface.slot_count(), 0);
   for_cells(surface, [&](const Row& row, std::uint32_t slot) {
     if (!CorrosionRule::sound(state[slot])) return;
     const Row *below = &row - 1, *above = &row + 1;
@@ -116,7 +116,10 @@ Field<Word> first_state(const SimulationSetup& setup, const CorrosionParameters&
     const Neighbourhood<Word> n{state.data() + static_cast<std::uint32_t>(below->base + column),
                                 state.data() + slot,
                                 state.data() + static_cast<std::uint32_t>(above->base + column)};
-    __atomic_store_n(&state[slot], rule.held(state[slot], CorrosionRule::around(n), slot), __ATOMIC_RELAXED);
+    holds[slot] = rule.held(state[slot], CorrosionRule::around(n), slot) != state[slot];
+  });
+  for_cells(surface, [&](const Row&, std::uint32_t slot) {
+    if (holds[slot] != 0) state[slot] |= CorrosionRule::done_bit;
   });
   return state;
 }

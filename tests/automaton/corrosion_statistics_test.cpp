@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "corrosion.hpp"
+#include "verdigris/behaviours/corrosion_layers.hpp"
 #include "verdigris/io/read_material.hpp"
 #include "verdigris/io/write_corrosion.hpp"
 
@@ -69,6 +70,27 @@ TEST(CorrosionStatistics, MassLossIsTheSumOverCells) {
       }
       EXPECT_GT(corroded, 1000u);
     }
+}
+
+TEST(CorrosionLayers, AreTheStackAtEachCellsAge) {
+  const Surface s = make_surface(shapes::cube(1), {.cell_size = 0.02});
+  const Material steel = find_material("steel");
+  for (const bool rates : {false, true}) {
+    SimulationSetup setup{s, 3, random_seeds(s, 5, 2)};
+    if (rates) setup.masks.push_back({"rate", Field<float>(s.slot_count(), 0.6f)});
+    CorrosionGrowth growth(setup, {});
+    for (int step = 0; step < 120; ++step) growth.step();
+    const auto fields = corrosion_layers(growth, steel, ExposureClass::C4, 0.1);
+    const auto age = growth.ages();
+    ASSERT_EQ(fields.layers.size(), 3u);
+    for_owned(s, [&](std::uint32_t slot) {
+      const Stack stack =
+          stack_at(steel, ExposureClass::C4, age[slot] < 0 ? -1.0 : 0.1 * age[slot], rates ? 0.6 : 1.0);
+      for (std::size_t k = 0; k < 3; ++k)
+        ASSERT_FLOAT_EQ(fields.layers[k][slot], static_cast<float>(stack.layers[k]));
+      ASSERT_FLOAT_EQ(fields.metal_lost[slot], static_cast<float>(stack.metal_lost));
+    });
+  }
 }
 
 TEST(CorrosionStatistics, MetalEndsWithTheMaterials) {
