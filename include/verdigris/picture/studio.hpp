@@ -21,10 +21,10 @@ struct SoftBox {
 /// over the viewer's left shoulder, a tall cool strip on the right, a low one behind on the left that draws
 /// the outline, and dark walls between them, for metal is known by its contrasts.
 struct StudioSettings {
-  glm::vec3 floor{0.20f, 0.18f, 0.165f}, horizon{0.62f, 0.61f, 0.59f}, ceiling{0.80f, 0.82f, 0.86f};
-  std::array<SoftBox, 3> boxes{SoftBox{{-0.75f, 0.85f, 0.80f}, {0.55f, 0.50f}, {1.25f, 1.19f, 1.10f}},
-                               SoftBox{{1.00f, 0.20f, 0.45f}, {0.25f, 1.00f}, {0.55f, 0.60f, 0.68f}},
-                               SoftBox{{-0.95f, 0.10f, -0.45f}, {0.25f, 0.90f}, {0.60f, 0.59f, 0.57f}}};
+  glm::vec3 floor{0.46f, 0.43f, 0.40f}, horizon{0.70f, 0.69f, 0.67f}, ceiling{0.86f, 0.88f, 0.92f};
+  std::array<SoftBox, 3> boxes{SoftBox{{-0.75f, 0.85f, 0.80f}, {0.55f, 0.50f}, {1.10f, 1.04f, 0.95f}},
+                               SoftBox{{1.00f, 0.20f, 0.45f}, {0.25f, 1.00f}, {0.50f, 0.55f, 0.64f}},
+                               SoftBox{{-0.95f, 0.10f, -0.45f}, {0.25f, 0.90f}, {0.55f, 0.54f, 0.52f}}};
 };
 
 /// The same, turned into the world of one camera: what both the CPU and the shader compute with.
