@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -122,11 +121,6 @@ void finish_barrier(Options& options) {
       throw InputError("--barrier-angle, --barrier-threshold", fmt::format("{} is not a number", value),
                        "give a number");
   check_mask_on(barrier.mask_on, "--barrier-mask-on");
-}
-
-std::string sentence(std::string text) {
-  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text;
 }
 
 void add_behaviour(CLI::App& app, int& status, const BehaviourEntry& entry) {

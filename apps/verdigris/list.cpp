@@ -5,6 +5,7 @@
 
 #include "options.hpp"
 #include "verdigris/behaviours/builtin.hpp"
+#include "verdigris/synthesis/builtin.hpp"
 
 namespace {
 
@@ -28,32 +29,60 @@ nlohmann::ordered_json described(const verdigris::ParameterInfo& p) {
   return json;
 }
 
+nlohmann::ordered_json described(const std::vector<verdigris::ParameterInfo>& parameters) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const auto& p : parameters) list.push_back(described(p));
+  return list;
+}
+
+void print_entry(const std::string& name, const std::string& summary,
+                 const std::vector<verdigris::ParameterInfo>& parameters) {
+  fmt::print("{}\n  {}\n", name, summary);
+  for (const auto& p : parameters)
+    fmt::print("  {:<12} {}  [{}]{}\n  {:<12} {}\n", p.name, verdigris::parameter_text(p.default_value),
+               allowed(p), p.unit == "1" ? "" : " " + p.unit, "", p.help);
+}
+
 void print_text(const verdigris::Catalogue& catalogue) {
-  for (const auto& entry : catalogue.entries()) {
-    fmt::print("{}\n  {}{}\n", entry.name, entry.summary, entry.needs_seeds ? "; takes seeds" : "");
-    for (const auto& p : entry.parameters)
-      fmt::print("  {:<12} {}  [{}]{}\n  {:<12} {}\n", p.name, verdigris::parameter_text(p.default_value),
-                 allowed(p), p.unit == "1" ? "" : " " + p.unit, "", p.help);
-  }
+  fmt::print("behaviours\n\n");
+  for (const auto& entry : catalogue.entries())
+    print_entry(
+        entry.name,
+        entry.summary + (entry.needs_seeds ? "; takes seeds" : "") +
+            (entry.masks.empty() ? "" : fmt::format("; takes masks: {}", fmt::join(entry.masks, ", "))),
+        entry.parameters);
+  fmt::print("\nprimitives\n\n");
+  print_primitives();
 }
 
 void print_json(const verdigris::Catalogue& catalogue) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const auto& entry : catalogue.entries()) {
-    nlohmann::ordered_json parameters = nlohmann::ordered_json::array();
-    for (const auto& p : entry.parameters) parameters.push_back(described(p));
-    list.push_back({{"name", entry.name},
-                    {"summary", entry.summary},
-                    {"needs_seeds", entry.needs_seeds},
-                    {"parameters", parameters}});
-  }
-  fmt::print("{}\n", nlohmann::ordered_json{{"behaviours", list}}.dump(2));
+  nlohmann::ordered_json behaviours = nlohmann::ordered_json::array(),
+                         primitives = nlohmann::ordered_json::array();
+  for (const auto& entry : catalogue.entries())
+    behaviours.push_back({{"name", entry.name},
+                          {"summary", entry.summary},
+                          {"needs_seeds", entry.needs_seeds},
+                          {"masks", entry.masks},
+                          {"parameters", described(entry.parameters)}});
+  const verdigris::PrimitiveCatalogue synthesis = verdigris::builtin_primitives();
+  for (const auto& entry : synthesis.entries())
+    primitives.push_back({{"name", entry.name},
+                          {"summary", entry.summary},
+                          {"dimension", entry.dimension},
+                          {"parameters", described(entry.parameters)}});
+  fmt::print("{}\n", nlohmann::ordered_json{{"behaviours", behaviours}, {"primitives", primitives}}.dump(2));
 }
 
 }  // namespace
 
+void print_primitives() {
+  const verdigris::PrimitiveCatalogue catalogue = verdigris::builtin_primitives();
+  for (const auto& entry : catalogue.entries()) print_entry(entry.name, entry.summary, entry.parameters);
+}
+
 void add_list(CLI::App& app) {
-  auto* command = app.add_subcommand("list", "Behaviours and their parameters, with ranges and defaults");
+  auto* command =
+      app.add_subcommand("list", "Behaviours, primitives and their parameters, with ranges and defaults");
   auto json = std::make_shared<bool>(false);
   command->add_flag("--json", *json, "As one JSON object on standard output");
   command->callback([json] {

@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
   add_info(app);
   add_behaviours(app, status);
   add_run(app, status);
+  add_synth(app);
   add_lsystem(app);
   add_list(app);
 

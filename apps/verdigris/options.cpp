@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <charconv>
 #include <cmath>
 
@@ -58,6 +59,11 @@ void parse_torus(const std::string& text, int& width, int& height) {
   if (!two_numbers(text, 1 << 20, width, height))
     throw InputError("--torus", fmt::format("'{}' is no size of a grid", text),
                      "write WIDTHxHEIGHT in cells, as in 4096x4096");
+}
+
+std::string sentence(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
 }
 
 std::string short_text(const verdigris::ParameterValue& value) {

@@ -30,6 +30,9 @@ void parse_torus(const std::string& text, int& width, int& height);
 /// A parameter's value for help texts: numbers to four digits.
 std::string short_text(const verdigris::ParameterValue& value);
 
+/// With a capital letter.
+std::string sentence(std::string text);
+
 /// --cells, --cell-size, --links, --mend. The text of --cells goes through parse_count in
 /// `finish_surface_options`.
 struct SurfaceOptionTexts {
@@ -49,9 +52,13 @@ void finish_picture_options(verdigris::Scene& scene, const PictureOptionTexts& t
 /// --out, --threads, --checkpoint-every, --resume, --json, --quiet.
 void add_run_options(CLI::App& app, RunOptions& options);
 
+/// The primitives of synthesis, for `list` and `synth --list`.
+void print_primitives();
+
 // The commands. Each registers itself and runs from its callback.
 void add_info(CLI::App& app);
 void add_list(CLI::App& app);
 void add_lsystem(CLI::App& app);
 void add_run(CLI::App& app, int& status);
+void add_synth(CLI::App& app);
 void add_behaviours(CLI::App& app, int& status);

@@ -7,6 +7,8 @@
 #include <glm/common.hpp>
 #include <stdexcept>
 
+#include "verdigris/exposure/ghost_values.hpp"
+
 namespace verdigris {
 
 namespace {
@@ -60,6 +62,7 @@ Field<float> field_on_surface(const Surface& surface, const ScalarField& field,
     }
     flush();
   });
+  copy_to_ghosts(surface, values);
   return values;
 }
 

@@ -13,8 +13,8 @@ struct FieldPlacement {
   double scale = 1.0;
 };
 
-/// `field` at the centre of every evolving cell, [slot]; other slots hold 0. Detail finer than two cells is
-/// left out. The same bits for any number of threads.
+/// `field` at the centre of every evolving cell, [slot]; ghosts repeat their owners, as pictures need it,
+/// other slots hold 0. Detail finer than two cells is left out. The same bits for any number of threads.
 Field<float> field_on_surface(const Surface& surface, const ScalarField& field,
                               const FieldPlacement& placement = {});
 
