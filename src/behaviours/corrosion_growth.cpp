@@ -134,10 +134,10 @@ std::size_t CorrosionGrowth::bytes() const {
 }
 
 void CorrosionGrowth::visit_cohorts(
-    const std::function<void(std::uint64_t, double, std::uint64_t)>& visit) const {
+    std::uint64_t at, const std::function<void(std::uint64_t, double, std::uint64_t)>& visit) const {
   const auto visit_births = [&](const auto& births, double rate) {
-    for (std::size_t step = 0; step < births.size(); ++step)
-      if (births[step] != 0) visit(steps() - step, rate, births[step]);
+    for (std::size_t step = 0; step < births.size() && step <= at; ++step)
+      if (births[step] != 0) visit(at - step, rate, births[step]);
   };
   if (rate_.empty()) return visit_births(births_, 1.0);
   for (std::size_t k = 0; k < births_at_rate_.size(); ++k)

@@ -27,18 +27,19 @@ CorrosionParameters with_lifetime(CorrosionParameters parameters, const Material
   return parameters;
 }
 
-CorrosionNumbers CorrosionStatistics::measure(const CorrosionGrowth& growth, bool with_spots) {
+CorrosionNumbers CorrosionStatistics::measure_at(const CorrosionGrowth& growth, std::uint64_t step,
+                                                 bool with_spots) {
   CorrosionNumbers numbers;
-  numbers.step = growth.steps();
+  numbers.step = step;
   numbers.years = static_cast<double>(numbers.step) * scale_.step_years;
-  numbers.new_cells = growth.births().back();
+  numbers.new_cells = growth.births().at(step);
   const auto depth = [&](std::uint64_t age, double rate) {
     if (rate != 1.0) return scale_.depth(age, rate);
     while (depth_at_age_.size() <= age) depth_at_age_.push_back(scale_.depth(depth_at_age_.size(), 1.0));
     return depth_at_age_[age];
   };
   double sum = 0.0;
-  growth.visit_cohorts([&](std::uint64_t age, double rate, std::uint64_t cells) {
+  growth.visit_cohorts(step, [&](std::uint64_t age, double rate, std::uint64_t cells) {
     const double d = depth(age, rate);
     sum += d * static_cast<double>(cells);
     numbers.corroded += cells;
@@ -50,17 +51,20 @@ CorrosionNumbers CorrosionStatistics::measure(const CorrosionGrowth& growth, boo
   numbers.mean_depth = sum / cells;
   if (numbers.corroded > 0) numbers.mean_depth_corroded = sum / static_cast<double>(numbers.corroded);
   numbers.mass_loss = mass_of(numbers.mean_depth, scale_.density);
-  if (with_spots) numbers.spots = measure_spots(growth);
+  if (with_spots) numbers.spots = measure_spots(growth, step);
   return numbers;
 }
 
 Spots measure_spots(const CorrosionGrowth& growth) {
+  return measure_spots(growth, growth.steps());
+}
+
+Spots measure_spots(const CorrosionGrowth& growth, std::uint64_t at) {
   const auto& words = growth.words();
   Field<SpotCell> cells(words.size());
-  std::transform(words.begin(), words.end(), cells.begin(), [](CorrosionRule::State word) {
-    return CorrosionRule::corroded(word) ? SpotCell::in
-           : CorrosionRule::sound(word)  ? SpotCell::out
-                                         : SpotCell::nothing;
+  std::transform(words.begin(), words.end(), cells.begin(), [&](CorrosionRule::State word) {
+    if (!CorrosionRule::corroded(word)) return CorrosionRule::sound(word) ? SpotCell::out : SpotCell::nothing;
+    return CorrosionRule::birth(word) <= at ? SpotCell::in : SpotCell::out;
   });
   return measure_spots(growth.surface(), cells);
 }

@@ -100,6 +100,25 @@ TEST(CorrosionStatistics, MetalEndsWithTheMaterials) {
   EXPECT_NEAR(static_cast<double>(p.thickness.lifetime()) * 0.1, years, 0.1);
 }
 
+TEST(CorrosionStatistics, EarlierStepsAreRemembered) {
+  const Surface s = make_surface(shapes::cube(1), {.cell_size = 0.05});
+  CorrosionGrowth growth({s, 3, random_seeds(s, 3, 3)}, {});
+  CorrosionStatistics statistics(scale_of(growth, 0.1, 8.96));
+  std::vector<CorrosionNumbers> then;
+  for (int step = 0; step < 40; ++step) {
+    growth.step();
+    then.push_back(statistics.measure(growth, true));
+  }
+  for (const CorrosionNumbers& expected : then) {
+    const CorrosionNumbers numbers = statistics.measure_at(growth, expected.step, true);
+    EXPECT_EQ(numbers.corroded, expected.corroded);
+    EXPECT_EQ(numbers.new_cells, expected.new_cells);
+    EXPECT_EQ(numbers.mean_depth, expected.mean_depth);
+    EXPECT_EQ(numbers.spots->sizes, expected.spots->sizes);
+    EXPECT_EQ(numbers.spots->perimeter, expected.spots->perimeter);
+  }
+}
+
 TEST(CorrosionStatistics, TablesHoldARowAStep) {
   const Surface s = make_surface(shapes::cube(1), {.cell_size = 0.05});
   CorrosionGrowth growth({s, 3, random_seeds(s, 3, 3)}, {});

@@ -82,8 +82,13 @@ class CorrosionGrowth final : public AnySimulation {
   /// [step] owned cells that became corroded in it; index 0 are the given seeds.
   const std::vector<std::uint64_t>& births() const { return births_; }
   /// Calls visit(age in steps, rate 0..1, cells) for the owned cells that have ever corroded, those of one
-  /// age and rate together: its cost grows with the steps made, not with the cells.
-  void visit_cohorts(const std::function<void(std::uint64_t, double, std::uint64_t)>& visit) const;
+  /// age and rate together: its cost grows with the steps made, not with the cells. As it stood after step
+  /// `at`, at most the last.
+  void visit_cohorts(std::uint64_t at,
+                     const std::function<void(std::uint64_t, double, std::uint64_t)>& visit) const;
+  void visit_cohorts(const std::function<void(std::uint64_t, double, std::uint64_t)>& visit) const {
+    visit_cohorts(steps(), visit);
+  }
 
  private:
   using Stepper = FrontStepper<CorrosionRule>;

@@ -52,14 +52,19 @@ class CorrosionStatistics {
  public:
   explicit CorrosionStatistics(CorrosionScale scale) : scale_(std::move(scale)) {}
 
-  CorrosionNumbers measure(const CorrosionGrowth& growth, bool with_spots = false);
+  CorrosionNumbers measure(const CorrosionGrowth& growth, bool with_spots = false) {
+    return measure_at(growth, growth.steps(), with_spots);
+  }
+  /// The same as they were after an earlier step: cells remember when they corroded.
+  CorrosionNumbers measure_at(const CorrosionGrowth& growth, std::uint64_t step, bool with_spots = false);
 
  private:
   CorrosionScale scale_;
   std::vector<double> depth_at_age_;  // rate 1
 };
 
-/// The spots of corrosion as they are now.
+/// The spots of corrosion as they are now, or were after step `at`.
 Spots measure_spots(const CorrosionGrowth& growth);
+Spots measure_spots(const CorrosionGrowth& growth, std::uint64_t at);
 
 }  // namespace verdigris
