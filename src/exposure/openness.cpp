@@ -103,7 +103,25 @@ class Openness {
         values[k] = static_cast<float>(value(mesh_.samples()[k], static_cast<std::uint32_t>(k)));
       });
     }
+    smooth(values);
     return values_at_cells(surface_, mesh_, values);
+  }
+
+  // The noise of too few rays is less than the tolerance: neighbours that differ by less are averaged.
+  void smooth(std::vector<float>& values) const {
+    constexpr int passes = 2;
+    std::vector<float> sum(values.size()), weight(values.size());
+    for (int pass = 0; pass < passes; ++pass) {
+      for (std::size_t k = 0; k < values.size(); ++k) sum[k] = 4.0f * values[k], weight[k] = 4.0f;
+      for (const SampleMesh::Piece& piece : mesh_.pieces())
+        for (std::size_t k = 0; k < 3; ++k) {
+          const std::uint32_t a = piece.samples[k], b = piece.samples[(k + 1) % 3];
+          if (std::abs(values[a] - values[b]) > settings_.tolerance) continue;
+          sum[a] += values[b], weight[a] += 1.0f;
+          sum[b] += values[a], weight[b] += 1.0f;
+        }
+      for (std::size_t k = 0; k < values.size(); ++k) values[k] = sum[k] / weight[k];
+    }
   }
 
   // The mean of visible(ray) over the rays of a sample: a quarter of them, and all where those differ.

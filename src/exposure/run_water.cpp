@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 #include <stdexcept>
 
+#include "soften.hpp"
 #include "verdigris/base/error.hpp"
 #include "verdigris/exposure/ghost_values.hpp"
 #include "verdigris/exposure/water.hpp"
@@ -70,11 +71,16 @@ WaterResult run_water(const Surface& surface, const WaterPaths& paths, std::span
     const double flow = in / area * std::max(static_cast<double>(cell.length), paths.cell_size);
     result.flow[slot] = static_cast<float>(flow);
     result.stored[slot] = static_cast<float>(stored / area);
-    result.wetness[slot] = static_cast<float>(1.0 - std::exp(-flow / wetting));
     result.stain[slot] = static_cast<float>(laid / area);
   }
-  for (Field<float>* field : {&result.flow, &result.stored, &result.wetness, &result.stain})
-    copy_to_ghosts(surface, *field);
+  // Water goes from cell to cell in steps of more than one: what it passes over is wet too.
+  constexpr int passes = 2;
+  soften(surface, result.flow, passes);
+  soften(surface, result.stain, passes);
+  copy_to_ghosts(surface, result.stored);
+  for (std::size_t slot = 0; slot < result.flow.size(); ++slot)
+    result.wetness[slot] =
+        static_cast<float>(1.0 - std::exp(-static_cast<double>(result.flow[slot]) / wetting));
   return result;
 }
 

@@ -180,7 +180,7 @@ TEST(Water, DripsFromARoofOntoTheGround) {
   shapes::each_cell(surface, [&](std::uint32_t slot) {
     const glm::dvec3 p = surface.position(slot);
     if (p.z > 0.5) return;
-    (p.x < 0.95 ? before : after) += water.flow[slot];
+    (p.x < 0.9 ? before : after) += water.flow[slot];
   });
   EXPECT_EQ(before, 0.0);
   EXPECT_GT(after, 0.0);

@@ -67,7 +67,7 @@ struct WaterBalance {
   double dissolved = 0.0, deposited = 0.0, carried_off = 0.0;
 };
 
-/// What a rain leaves, [slot], ghosts included.
+/// What a rain leaves, [slot], ghosts included. Flow and stain are softened over the next cells.
 struct WaterResult {
   Field<float> flow;     ///< that passed, depth x model units: volume a unit of width
   Field<float> stored;   ///< film and what stands in hollows, depth

@@ -1,0 +1,43 @@
+#include "verdigris/exposure/mask_catalogue.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "mask_entries.hpp"
+#include "verdigris/base/error.hpp"
+
+namespace verdigris {
+
+void MaskCatalogue::add(MaskEntry entry) {
+  if (std::any_of(entries_.begin(), entries_.end(), [&](const MaskEntry& e) { return e.name == entry.name; }))
+    throw std::invalid_argument("the catalogue already has a mask named " + entry.name);
+  entries_.push_back(std::move(entry));
+}
+
+const MaskEntry& MaskCatalogue::find(std::string_view name) const {
+  std::string names;
+  for (const MaskEntry& entry : entries_) {
+    if (entry.name == name) return entry;
+    if (!names.empty()) names += ", ";
+    names += entry.name;
+  }
+  throw InputError("mask", fmt::format("there is no source named '{}'", name), "choose one of: " + names);
+}
+
+MaskCatalogue builtin_masks() {
+  MaskCatalogue catalogue;
+  add_openness(catalogue);
+  add_shape(catalogue);
+  add_water(catalogue);
+  return catalogue;
+}
+
+Field<float> make_mask(const Surface& surface, std::string_view name, const ParameterValues& values,
+                       std::uint64_t seed) {
+  return builtin_masks().find(name).create(surface, values, seed);
+}
+
+}  // namespace verdigris
