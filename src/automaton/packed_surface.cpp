@@ -57,7 +57,7 @@ PackedSurface::PackedSurface(const Surface& surface) {
     for (const std::uint32_t ghost : targets) source_of[ghost] = source;
   });
 
-  bits_.assign(words, Bits{});
+  bits_.assign(words + 8, Bits{});
   std::vector<std::pair<std::uint32_t, std::uint32_t>> ghosts;  // bit, source slot
   for (std::uint32_t p = 0; p < count; ++p) {
     patches_[p].ghost_begin = static_cast<std::uint32_t>(ghost_sources_.size());

@@ -55,6 +55,25 @@ void store(std::uint64_t* words, Rows rows) {
   std::memcpy(words, &rows, sizeof rows);
 }
 
+// The owned bits of eight words. Shifts stay below 64: beyond it they mean nothing.
+Rows owned_bits(const PackedSurface::Bits* bits) {
+  typedef std::uint32_t Packed __attribute__((vector_size(32)));  // NOLINT(modernize-use-using)
+  static_assert(sizeof(PackedSurface::Bits) == 4 && std::endian::native == std::endian::little);
+  Packed packed;
+  std::memcpy(&packed, bits, sizeof packed);
+  const Rows all = __builtin_convertvector(packed, Rows);
+  const Rows begin = all >> 16 & 255, count = (all >> 24) - begin;
+  return ((~Rows{} >> ((64 - count) & 63)) << (begin & 63)) & reinterpret_cast<Rows>(count != 0);
+}
+
+// Whether eight words are all inside a patch: owned from end to end.
+bool inside(const PackedSurface::Bits* bits) {
+  constexpr std::uint64_t both = 0x4000400040004000;  // {0, 64, 0, 64} twice
+  std::uint64_t four[4];
+  std::memcpy(four, bits, sizeof four);
+  return ((four[0] ^ both) | (four[1] ^ both) | (four[2] ^ both) | (four[3] ^ both)) == 0;
+}
+
 // Three cells added up: two binary digits.
 struct Sum {
   Rows ones, twos;
@@ -154,14 +173,15 @@ std::uint64_t PackedLife::advance(std::size_t patch, std::vector<std::uint64_t>&
   std::uint64_t* old = room.data() + margin;
   std::uint64_t* state = state_.data() + p.word_begin;
   const PackedSurface::Bits* bits = cells_.bits() + p.word_begin;
-  // Room for this patch: cells with ghosts, sums of three in two digits, masks of the owned.
-  const std::size_t stride = room.size() / 4;
-  std::uint64_t *ones = old + stride, *twos = ones + stride, *owned = twos + stride;
   std::uint64_t ghost = p.ghost_begin;
   const std::uint64_t* stream = ghosts_.data();
   for (std::size_t w = 0; w < words; ++w) {
+    if (w + lanes <= words && inside(bits + w)) {
+      store(old + w, load(state + w));
+      w += lanes - 1;
+      continue;
+    }
     const std::uint64_t mask = bits[w].ghosts();
-    owned[w] = bits[w].owned();
     const unsigned shift = ghost & 63;
     // Two words hold the next 64 bits; << 1 first, since a shift by 64 means nothing.
     const std::uint64_t next = stream[ghost >> 6] >> shift | stream[(ghost >> 6) + 1] << 1 << (63 - shift);
@@ -172,6 +192,8 @@ std::uint64_t PackedLife::advance(std::size_t patch, std::vector<std::uint64_t>&
 
   // Sums along the rows: a cell and those beside it; with four neighbours, rows above and below count the
   // cell alone.
+  const std::size_t stride = room.size() / 3;
+  std::uint64_t *ones = old + stride, *twos = ones + stride;
   const auto rows = cells_.column_rows(patch);
   const bool moore = rule_.neighbourhood == LifeNeighbourhood::moore;
   std::size_t column = 0;
@@ -200,7 +222,7 @@ std::uint64_t PackedLife::advance(std::size_t patch, std::vector<std::uint64_t>&
       const std::size_t w = column + row;
       const Rows next = (moore ? decide(sum_at(w - 1), sum_at(w), sum_at(w + 1), load(old + w), rule_)
                                : decide(alone(w - 1), sum_at(w), alone(w + 1), load(old + w), rule_)) &
-                        load(owned + w);
+                        owned_bits(bits + w);
       const std::size_t some = std::min(lanes, rows[k] - 1 - row);
       const Rows before = load(state + w), differs = next ^ before;
       if (some == lanes) {
@@ -224,7 +246,7 @@ std::uint64_t PackedLife::step() {
       tbb::blocked_range<std::size_t>(0, patches, grain),
       [&](const tbb::blocked_range<std::size_t>& range) { gather_ghosts(range.begin(), range.end()); });
   tbb::enumerable_thread_specific<std::vector<std::uint64_t>> room(
-      [&] { return std::vector<std::uint64_t>(4 * (cells_.largest_patch_words() + 3 * margin), 0); });
+      [&] { return std::vector<std::uint64_t>(3 * (cells_.largest_patch_words() + 3 * margin), 0); });
   const std::uint64_t changed = tbb::parallel_reduce(
       tbb::blocked_range<std::size_t>(0, patches, grain), std::uint64_t{0},
       [&](const tbb::blocked_range<std::size_t>& range, std::uint64_t sum) {

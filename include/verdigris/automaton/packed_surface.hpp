@@ -67,7 +67,7 @@ class PackedSurface {
   }
   const Bits* bits() const {
     return bits_.data();
-  }  ///< [word]
+  }  ///< [word], eight more at the end
   /// [ghost] bit of the state that it copies; bit 0 is always empty: what lies beyond a boundary.
   const std::uint32_t* ghost_sources() const {
     return ghost_sources_.data();
@@ -88,7 +88,7 @@ class PackedSurface {
 
   std::vector<Patch> patches_;  // one more at the end
   std::vector<std::uint32_t> column_rows_;
-  std::vector<Bits> bits_;  // [word]
+  std::vector<Bits> bits_;  // [word], eight more at the end
   std::vector<std::uint32_t> ghost_sources_;
   std::size_t owned_count_ = 0, largest_patch_words_ = 0;
 };
