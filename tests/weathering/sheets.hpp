@@ -1,0 +1,60 @@
+#pragma once
+// A flat square sheet, triangulated in several ways, and a coat on it.
+
+#include <cmath>
+#include <random>
+
+#include "shapes.hpp"
+#include "verdigris/io/read_material.hpp"
+#include "verdigris/weathering/operators.hpp"
+
+namespace sheets {
+
+using namespace verdigris;
+
+/// `side` cells long, n x n quads, jittered and with diagonals at random when `seed` is not 0; the rim stays
+/// straight.
+inline Mesh sheet(double side, int n, unsigned seed) {
+  if (n <= 1) return shapes::square(side);
+  std::mt19937 engine(seed);
+  const auto uniform = [&] { return seed == 0 ? 0.0 : static_cast<double>(engine()) / 4294967296.0 - 0.5; };
+  const double step = side / n;
+  Mesh m = shapes::grid(n, n, false, false, [&](int i, int j) {
+    const double dx = 0.5 * uniform() * (i > 0 && i < n), dy = 0.5 * uniform() * (j > 0 && j < n);
+    return glm::dvec3((i + dx) * step, (j + dy) * step, 0.0);
+  });
+  for (std::size_t q = 0; seed != 0 && q < m.triangles.size(); q += 2)
+    if (engine() & 1u) {
+      const auto a = m.triangles[q][0], b = m.triangles[q][1], c = m.triangles[q][2],
+                 d = m.triangles[q + 1][2];
+      m.triangles[q] = {a, b, d};
+      m.triangles[q + 1] = {b, c, d};
+    }
+  return m;
+}
+
+inline Surface surface_of(Mesh mesh, double cell = 1.0) {
+  return make_surface(std::move(mesh), {.cell_size = cell});
+}
+
+template <typename Visit>
+void for_owned(const Surface& s, Visit&& visit) {
+  for (std::uint32_t row = 0; row < s.rows().size(); ++row)
+    for (std::uint32_t slot = s.owned(row).begin; slot < s.owned(row).end; ++slot) visit(slot);
+}
+
+/// Applies one operator, ghosts made as operators expect them.
+inline OperatorReport apply(CoatedMetal& metal, const OperatorSetup& setup, const char* name,
+                            const ParameterValues& values = {}) {
+  const OperatorReport report = builtin_operators().find(name).apply(metal, setup, values);
+  show_ghosts(setup.surface, metal);
+  return report;
+}
+
+inline double total(const Surface& s, const Field<float>& field) {
+  double sum = 0.0;
+  for_owned(s, [&](std::uint32_t slot) { sum += static_cast<double>(field[slot]); });
+  return sum;
+}
+
+}  // namespace sheets
