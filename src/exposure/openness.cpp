@@ -51,7 +51,7 @@ class Openness {
         settings_(settings),
         scene_(surface.mesh()),
         mesh_(surface, settings.crease_angle),
-        finest_(settings.finest > 0.0 ? settings.finest : 2.0 * surface.cell_size()) {}
+        finest_(settings.finest > 0.0 ? settings.finest : 4.0 * surface.cell_size()) {}
 
   const RayScene& scene() const { return scene_; }
 

@@ -39,7 +39,8 @@ double hidden_by_wall(double d, double h, double b, double c) {
 TEST(Openness, IsWithinTwoPercentOfTheFormulaInARightAngledCorner) {
   const double half = 2.0, height = 1.0;
   const Surface surface = shapes::with_cells(shapes::right_angle(2.0, half, height), 40'000);
-  const Field<float> ao = ambient_occlusion(surface, {.rays = 1024, .tolerance = 0.01});
+  const Field<float> ao =
+      ambient_occlusion(surface, {.rays = 1024, .tolerance = 0.01, .finest = 2.0 * surface.cell_size()});
   double worst = 0.0, sum = 0.0;
   int count = 0;
   shapes::each_cell(surface, [&](std::uint32_t slot) {
@@ -71,8 +72,9 @@ TEST(Openness, RainFallsByTheCosineAndNotUnderARoof) {
   mesh.triangles.push_back({n, n + 1, n + 2});
   mesh.triangles.push_back({n, n + 2, n + 3});
   const Surface surface = shapes::with_cells(mesh, 20'000);
-  const Field<float> straight = rain_exposure(surface, {{0, 0, 1}, 0.0});
-  const Field<float> slanted = rain_exposure(surface, {{1, 0, 1}, 0.0});
+  const RaySettings fine{.finest = surface.cell_size()};
+  const Field<float> straight = rain_exposure(surface, {{0, 0, 1}, 0.0}, fine);
+  const Field<float> slanted = rain_exposure(surface, {{1, 0, 1}, 0.0}, fine);
   shapes::each_cell(surface, [&](std::uint32_t slot) {
     const glm::dvec3 p = surface.position(slot);
     if (p.z > 0.0 || std::abs(p.x - 1.0) < 0.05) return;
