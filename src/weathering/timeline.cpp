@@ -1,0 +1,114 @@
+#include "verdigris/weathering/timeline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "verdigris/automaton/random.hpp"
+#include "verdigris/base/error.hpp"
+#include "verdigris/exposure/mask_expression.hpp"
+
+namespace verdigris {
+
+namespace {
+
+constexpr std::uint32_t step_purpose = 0x54494d01;
+
+// What a step gives to its operator.
+struct Given {
+  ParameterValues parameters;
+  std::vector<std::pair<std::string, std::string>> masks;  // name, expression
+};
+
+std::string where_of(const TimelineStep& step) {
+  return step.where.empty() ? step.op : fmt::format("{}: {}", step.where, step.op);
+}
+
+Given given_by(const OperatorEntry& entry, const TimelineStep& step) {
+  Given given;
+  for (const auto& [name, value] : step.values) {
+    if (std::find(entry.masks.begin(), entry.masks.end(), name) == entry.masks.end()) {
+      given.parameters.emplace_back(name, value);
+      continue;
+    }
+    const auto* text = std::get_if<std::string>(&value);
+    given.masks.emplace_back(name, text != nullptr ? *text : fmt::format("{}", std::get<double>(value)));
+  }
+  return given;
+}
+
+const OperatorEntry& entry_of(const OperatorCatalogue& operators, const TimelineStep& step) {
+  try {
+    return operators.find(step.op);
+  } catch (const InputError& error) {
+    throw InputError(step.where.empty() ? error.where() : step.where, error.problem(), error.remedy());
+  }
+}
+
+// What an operator says is wrong, with the place in the scene before it.
+OperatorReport apply(const OperatorEntry& entry, CoatedMetal& metal, const OperatorSetup& setup,
+                     const ParameterValues& values, const TimelineStep& step) {
+  try {
+    return entry.apply(metal, setup, values);
+  } catch (const InputError& error) {
+    if (step.where.empty()) throw;
+    throw InputError(fmt::format("{}: {}", step.where, error.where()), error.problem(), error.remedy());
+  }
+}
+
+double years_of(const OperatorEntry& entry, const ParameterValues& values) {
+  for (const auto& [name, value] : values)
+    if (entry.name == "age" && name == "years") return std::get<double>(value);
+  for (const ParameterInfo& p : entry.parameters)
+    if (entry.name == "age" && p.name == "years") return std::get<double>(p.default_value);
+  return 0.0;
+}
+
+}  // namespace
+
+void check_timeline(const OperatorCatalogue& operators, std::span<const TimelineStep> steps,
+                    std::span<const std::string> mask_names) {
+  for (const TimelineStep& step : steps) {
+    const OperatorEntry& entry = entry_of(operators, step);
+    const Given given = given_by(entry, step);
+    check_parameters(where_of(step), entry.parameters, given.parameters);
+    for (const auto& [name, expression] : given.masks)
+      MaskExpression(expression, mask_names, fmt::format("{}.{}", where_of(step), name));
+  }
+}
+
+std::vector<TimelineRecord> run_timeline(const OperatorCatalogue& operators, const Surface& surface,
+                                         CoatedMetal& metal, std::span<const TimelineStep> steps,
+                                         MaskBook& masks, glm::dvec3 up, std::uint64_t seed,
+                                         const TimelineListener& listener) {
+  std::vector<TimelineRecord> records;
+  double years = 0.0;
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    const auto begin = std::chrono::steady_clock::now();
+    const OperatorEntry& entry = entry_of(operators, steps[k]);
+    const Given given = given_by(entry, steps[k]);
+    OperatorSetup setup{surface};
+    const auto words = CellRandom(seed, 0, static_cast<std::uint32_t>(k)).words(step_purpose);
+    setup.seed = std::uint64_t{words[0]} << 32 | words[1];
+    setup.up = up;
+    for (const auto& [name, expression] : given.masks)
+      setup.masks.push_back(
+          {name, masks.evaluate(expression, fmt::format("{}.{}", where_of(steps[k]), name), metal)});
+    if (listener.progress) setup.progress = [&](double share) { return listener.progress(k, share); };
+    TimelineRecord record{steps[k].op, 0.0, {}, {}, 0.0};
+    record.report = apply(entry, metal, setup, given.parameters, steps[k]);
+    show_ghosts(surface, metal);
+    years += years_of(entry, given.parameters);
+    record.years = years;
+    record.numbers = measure(surface, metal);
+    record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    records.push_back(std::move(record));
+    if (listener.after) listener.after(k, metal, records.back());
+    if (!records.back().report.complete) break;
+    if (listener.progress && !listener.progress(k, 1.0)) break;
+  }
+  return records;
+}
+
+}  // namespace verdigris

@@ -1,0 +1,117 @@
+// Timelines: order, expressions of masks, what is refused.
+#include "verdigris/weathering/timeline.hpp"
+
+#include "sheets.hpp"
+#include "verdigris/base/error.hpp"
+#include "verdigris/picture/coat_picture.hpp"
+
+namespace verdigris {
+namespace {
+
+using namespace sheets;
+
+std::vector<TimelineRecord> run(const Surface& s, CoatedMetal& metal, const std::vector<TimelineStep>& steps,
+                                const TimelineListener& listener = {}) {
+  Field<float> half(s.slot_count(), 0.0f);
+  for_owned(s, [&](std::uint32_t slot) { half[slot] = s.position(slot).x < 30.0 ? 1.0f : 0.0f; });
+  MaskBook masks(s, {{"half", half}}, "z", 1);
+  return run_timeline(builtin_operators(), s, metal, steps, masks, {0, 0, 1}, 5, listener);
+}
+
+const TimelineStep paint{"coat", {{"thickness", 40.0}, {"variation", 0.0}}, ""};
+const TimelineStep wear{"erode", {{"depth", 15.0}, {"unevenness", 0.0}}, ""};
+
+TEST(Timeline, OperationsFollowEachOther) {
+  const Surface s = surface_of(sheet(60.0, 4, 1));
+  CoatedMetal metal = make_coated_metal(s, find_material("bare-steel"));
+  auto records = run(s, metal, {paint, wear, wear});
+  ASSERT_EQ(records.size(), 3u);
+  EXPECT_NEAR(records[0].numbers.coats[2], 40.0, 1e-4);
+  EXPECT_NEAR(records[1].numbers.coats[2], 25.0, 1e-4);
+  EXPECT_NEAR(records[2].numbers.coats[2], 10.0, 1e-4);
+  // The other way round there is nothing to wear.
+  metal = make_coated_metal(s, find_material("bare-steel"));
+  EXPECT_NEAR(run(s, metal, {wear, wear, paint}).back().numbers.coats[2], 40.0, 1e-4);
+  // Years add up.
+  metal = make_coated_metal(s, find_material("copper"));
+  records = run(s, metal, {{"age", {{"years", 2.0}}, ""}, {"dust", {}, ""}, {"age", {{"years", 3.0}}, ""}});
+  EXPECT_EQ(records[2].years, 5.0);
+  // The second of two equal operations has random numbers of its own.
+  metal = make_coated_metal(s, find_material("bare-steel"));
+  const TimelineStep scratch{"scratch", {{"count", 3.0}}, ""};
+  records = run(s, metal, {paint, scratch, scratch});
+  EXPECT_GT(records[2].numbers.bare, 1.2 * records[1].numbers.bare);
+}
+
+TEST(Timeline, MasksAreFormulasOfTheSurfaceAndItsState) {
+  const Surface s = surface_of(sheet(60.0, 4, 1));
+  CoatedMetal metal = make_coated_metal(s, find_material("bare-steel"));
+  TimelineStep coat = paint;
+  coat.values.emplace_back("where", "half * facing");
+  TimelineStep second{"coat", {{"layer", "lacquer"}, {"variation", 0.0}, {"where", "1 - bare"}}, ""};
+  run(s, metal, {coat, second});
+  for_owned(s, [&](std::uint32_t slot) {
+    const bool left = s.position(slot).x < 30.0;
+    ASSERT_NEAR(metal.coats[2].thickness[slot], left ? 40.0 : 0.0, 1e-3);
+    ASSERT_NEAR(metal.coats[3].thickness[slot], left ? 60.0 : 0.0, 1e-3);
+  });
+}
+
+TEST(Timeline, StopsWhenTold) {
+  const Surface s = surface_of(sheet(60.0, 4, 1));
+  CoatedMetal metal = make_coated_metal(s, find_material("bare-steel"));
+  const auto records = run(s, metal, {paint, {"age", {{"years", 9.0}, {"spread", 1.0}}, ""}, wear},
+                           {[](std::size_t step, double share) { return step == 0 || share < 0.5; }, {}});
+  ASSERT_EQ(records.size(), 2u);
+  EXPECT_FALSE(records[1].report.complete);
+}
+
+void expect_refused(const TimelineStep& step, const char* part) {
+  const std::vector<std::string> names = mask_book_names({});
+  try {
+    check_timeline(builtin_operators(), std::vector{step}, names);
+    FAIL() << "accepted " << step.op;
+  } catch (const InputError& error) {
+    EXPECT_NE(error.where().find("scene.toml:7"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+}
+
+TEST(Timeline, RefusesWhatItDoesNotKnow) {
+  const std::string where = "scene.toml:7";
+  expect_refused({"gild", {}, where}, "gild");
+  expect_refused({"coat", {{"thicknes", 3.0}}, where}, "thicknes");
+  expect_refused({"coat", {{"thickness", -3.0}}, where}, "out of range");
+  expect_refused({"age", {{"class", "C9"}}, where}, "C9");
+  expect_refused({"polish", {{"where", "convex *"}}, where}, "polish.where");
+  expect_refused({"polish", {{"where", "shiny"}}, where}, "shiny");
+  check_timeline(builtin_operators(),
+                 std::vector{TimelineStep{"polish", {{"where", "2 * convex - bare"}}, ""}},
+                 mask_book_names({}));
+}
+
+TEST(CoatPicture, HoldsTheUppermostFirstAndJoinsWhatLooksAlike) {
+  const Surface s = surface_of(sheet(30.0, 2, 1));
+  CoatedMetal metal = make_coated_metal(s, find_material("bare-steel"));
+  run(s, metal, {paint});
+  CoatPicture picture = picture_of(metal);
+  ASSERT_EQ(picture.stack.layers.size(), 1u);  // no rust yet
+  const std::uint32_t slot = s.rows()[s.row_begin(0) + 3].run_begin;
+  EXPECT_EQ(picture.cells[slot].depth[0], LayerCell::packed(optical_depth(picture.stack.layers[0], 40.0f)));
+  // Six coats, two of one finish: four are drawn, and the rust below the paint does not shine through.
+  metal.coats[0].thickness[slot] = metal.coats[1].thickness[slot] = 30.0f;
+  Coat stain = metal.coats[1];
+  stain.kind = CoatKind::loose;
+  stain.layer.name += " stain";
+  std::fill(stain.thickness.begin(), stain.thickness.end(), 0.0f);
+  metal.coats.push_back(stain);
+  metal.coats.back().thickness[slot + 1] = 4.0f;
+  run(s, metal, {{"coat", {{"layer", "lacquer"}, {"thickness", 1.0}}, ""}, {"dust", {}, ""}});
+  ASSERT_EQ(metal.coats.size(), 6u);
+  picture = picture_of(metal);
+  EXPECT_EQ(picture.stack.layers.size(), most_layers);
+  EXPECT_EQ(coat_heights(metal)[slot] > 99.0f, true);
+}
+
+}  // namespace
+}  // namespace verdigris
