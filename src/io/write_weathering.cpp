@@ -1,0 +1,65 @@
+#include "verdigris/io/write_weathering.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+
+#include "verdigris/io/replace_file.hpp"
+#include "verdigris/io/write_cells.hpp"
+
+namespace verdigris {
+
+namespace {
+
+// Letters and digits, for VTK and tables.
+std::string plain(const std::string& name) {
+  std::string out;
+  for (const char c : name) out += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+  return out;
+}
+
+}  // namespace
+
+void write_timeline_csv(const std::filesystem::path& target, std::span<const TimelineRecord> records,
+                        const CoatedMetal& metal, std::uint64_t cells) {
+  ReplaceFile file(target);
+  file.write(
+      "operation,op,years,cells,added_um,removed_um,metal_um,bare_share,corroded_share,gone_share,"
+      "damaged_share,mean_loss_um,greatest_loss_um,mass_loss_g_m2,seconds");
+  for (const Coat& coat : metal.coats) file.write("," + plain(coat.layer.name) + "_um");
+  file.write("\n");
+  const double per_cell = 1.0 / std::max(1.0, static_cast<double>(cells));
+  for (std::size_t k = 0; k < records.size(); ++k) {
+    const TimelineRecord& r = records[k];
+    const CoatedNumbers& n = r.numbers;
+    file.write(
+        fmt::format("{},{},{:.9g},{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},"
+                    "{:.9g},{:.3f}",
+                    k + 1, r.op, r.years, r.report.cells, r.report.added * per_cell,
+                    r.report.removed * per_cell, r.report.metal * per_cell, n.bare, n.corroded, n.gone,
+                    n.damaged, n.loss, n.deepest, n.mass_loss, r.seconds));
+    for (std::size_t c = 0; c < metal.coats.size(); ++c)
+      file.write(fmt::format(",{:.9g}", c < n.coats.size() ? n.coats[c] : 0.0));
+    file.write("\n");
+  }
+  file.commit();
+}
+
+void write_weathered_cells(const std::filesystem::path& file, const Surface& surface,
+                           const CoatedMetal& metal) {
+  Field<float> left(metal.loss.size());
+  for (std::size_t slot = 0; slot < left.size(); ++slot)
+    left[slot] = static_cast<float>(metal.metal.thickness) - metal.loss[slot];
+  std::vector<CellArray> arrays{{"metal_lost_um", &metal.loss},
+                                {"metal_left_um", &left},
+                                {"corroded_years", &metal.corroded},
+                                {"damage", &metal.damage}};
+  for (const Coat& coat : metal.coats) {
+    arrays.push_back({plain(coat.layer.name) + "_um", &coat.thickness});
+    if (coat.kind == CoatKind::applied && !coat.adhesion.empty())
+      arrays.push_back({plain(coat.layer.name) + "_adhesion", &coat.adhesion});
+  }
+  write_cells_vtp(file, surface, arrays);
+}
+
+}  // namespace verdigris
