@@ -1,0 +1,157 @@
+#include "weather_job.hpp"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <chrono>
+#include <glm/vec3.hpp>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "masks.hpp"
+#include "model.hpp"
+#include "picture.hpp"
+#include "verdigris/base/error.hpp"
+#include "verdigris/exposure/surface_field.hpp"
+#include "verdigris/io/read_material.hpp"
+#include "verdigris/io/replace_file.hpp"
+#include "verdigris/io/write_weathering.hpp"
+#include "weather_pictures.hpp"
+
+using namespace verdigris;
+
+namespace {
+
+// The masks of a scene by all sources: primitives and files, and those of the catalogue of masks.
+std::vector<Mask> all_masks(const Surface& surface, const Scene& scene, const ReadReport& read) {
+  const MaskCatalogue catalogue = builtin_masks();
+  Scene others = scene;
+  others.masks.clear();
+  std::vector<Mask> masks;
+  for (const MaskPlan& plan : scene.masks) {
+    const auto& entries = catalogue.entries();
+    if (std::none_of(entries.begin(), entries.end(), [&](const auto& e) { return e.name == plan.source; })) {
+      others.masks.push_back(plan);
+      continue;
+    }
+    Field<float> values = make_mask(surface, plan.source, plan.parameters, plan.seed);
+    if (plan.low || plan.high) stretch_to_unit(values, plan.low.value_or(0.0), plan.high.value_or(1.0));
+    masks.push_back({plan.name, std::move(values)});
+  }
+  for (Mask& mask : make_masks(surface, others, read)) masks.push_back(std::move(mask));
+  return masks;
+}
+
+// Pictures of an earlier run may be of other operations.
+void remove_pictures(const std::filesystem::path& out) {
+  std::error_code ignored;
+  for (std::filesystem::directory_iterator it(out, ignored), end; !ignored && it != end;
+       it.increment(ignored)) {
+    const std::string name = it->path().filename().string();
+    if (name.size() > 7 && name.ends_with(".png") && name[2] == '-' &&
+        name.find_first_not_of("0123456789") == 2)
+      std::filesystem::remove(it->path(), ignored);
+  }
+}
+
+// Words or JSON on standard output.
+void report(const Scene& scene, const Surface& surface, const std::vector<TimelineRecord>& records,
+            const std::vector<std::string>& files, double seconds, const RunOptions& options) {
+  if (options.json) {
+    nlohmann::ordered_json all{{"model", model_name(scene)},
+                               {"cells", surface.owned_count()},
+                               {"complete", records.size() == scene.weathering.timeline.size()},
+                               {"seconds", seconds},
+                               {"operations", nlohmann::ordered_json::array()},
+                               {"out", options.out},
+                               {"files", files}};
+    for (const TimelineRecord& r : records) {
+      nlohmann::ordered_json one{{"op", r.op}, {"years", r.years}, {"cells", r.report.cells}};
+      for (const auto& [name, value] : r.report.numbers) one[name] = value;
+      one["seconds"] = r.seconds;
+      all["operations"].push_back(one);
+    }
+    fmt::print("{}\n", all.dump(2));
+    return;
+  }
+  fmt::print("{}: {} cells of {:.4g}, {}\n", model_name(scene), surface.owned_count(), surface.cell_size(),
+             scene.weathering.material);
+  for (std::size_t k = 0; k < records.size(); ++k) {
+    const TimelineRecord& r = records[k];
+    fmt::print("{:3} {:8} {:6.1f} years  {:5.1f} % bare, {:5.1f} % corroded, {:.3g} g/m2 lost  ({:.2f} s)\n",
+               k + 1, r.op, r.years, 100.0 * r.numbers.bare, 100.0 * r.numbers.corroded, r.numbers.mass_loss,
+               r.seconds);
+  }
+  fmt::print("{:.2f} s; {} in {}\n", seconds, fmt::join(files, ", "), options.out);
+}
+
+}  // namespace
+
+int run_weathering(Scene scene, const RunOptions& options) {
+  std::optional<tbb::global_control> threads;
+  if (options.threads > 0)
+    threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+  if (options.resume)
+    throw InputError("--resume", "timelines keep no checkpoints", "run the scene from its beginning");
+  if (scene.torus.width != 0)
+    throw InputError(scene.file.string(), "a flat torus does not weather", "name a model");
+  const Material material = find_material(scene.weathering.material);
+  if (scene.picture.draw) check_picture(scene.picture);
+  const auto begin = std::chrono::steady_clock::now();
+  Progress progress(!options.quiet);
+  watch_for_interrupt();
+
+  progress.stage("reading");
+  LoadedModel model = load_model(scene);
+  progress.stage("building surface");
+  const Surface surface = lay_cells(std::move(model.mesh), scene);
+  check_coverage(surface, options.quiet);
+  CoatedMetal metal = make_coated_metal(surface, material);
+  MaskBook masks(surface, all_masks(surface, scene, model.read), scene.picture.up, scene.seed);
+
+  const std::filesystem::path out = options.out;
+  make_directory(out);
+  remove_pictures(out);
+  std::optional<WeatherPainter> painter;
+  std::vector<std::string> files;
+  if (scene.picture.draw) painter.emplace(surface, scene);
+  const std::vector<TimelineStep>& steps = scene.weathering.timeline;
+  TimelineListener listener;
+  listener.progress = [&](std::size_t k, double share) {
+    progress.update((static_cast<double>(k) + share) / static_cast<double>(steps.size()),
+                    fmt::format("{} ({} of {})", steps[k].op, k + 1, steps.size()));
+    return !interrupted();
+  };
+  listener.after = [&](std::size_t k, const CoatedMetal& now, const TimelineRecord&) {
+    if (!painter) return;
+    files.push_back(fmt::format("{:02}-{}.png", k + 1, steps[k].op));
+    painter->draw(now, out / files.back());
+  };
+  progress.stage("weathering");
+  const glm::dvec3 up = scene.picture.up == "z" ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
+  const std::vector<TimelineRecord> records =
+      run_timeline(builtin_operators(), surface, metal, steps, masks, up, scene.seed, listener);
+  const bool complete = records.size() == steps.size() && (records.empty() || records.back().report.complete);
+
+  progress.stage("writing");
+  if (painter) {
+    painter->draw(metal, out / "picture.png");
+    files.emplace_back("picture.png");
+  }
+  if (!options.no_cells) {
+    write_weathered_cells(out / "cells.vtp", surface, metal);
+    files.emplace_back("cells.vtp");
+  }
+  write_timeline_csv(out / "timeline.csv", records, metal, surface.owned_count());
+  files.emplace_back("timeline.csv");
+  write_scene(out / "run.toml", scene);
+  files.emplace_back("run.toml");
+  progress.finish();
+  if (!complete)
+    say("stopped in operation {} of {}; what was done until then is written\n", records.size(), steps.size());
+  if (options.json || !options.quiet)
+    report(scene, surface, records, files,
+           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), options);
+  return complete ? 0 : 130;
+}
