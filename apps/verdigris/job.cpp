@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "checkpoints.hpp"
+#include "masks.hpp"
 #include "model.hpp"
 #include "picture.hpp"
 #include "report.hpp"
@@ -107,6 +108,8 @@ void check_scene(const Scene& scene, const BehaviourEntry& behaviour) {
   if (scene.picture.draw) check_picture(scene.picture);
   check_utf8(scene.mesh);
   check_utf8(scene.barrier.mask);
+  for (const MaskPlan& mask : scene.masks) check_utf8(mask.file);
+  check_masks(scene, behaviour);
   if (behaviour.needs_seeds && scene.seeds.empty())
     throw InputError("seeds", fmt::format("{} needs some", behaviour.name),
                      "give --seeds, or [seeds] in the scene");
@@ -152,11 +155,12 @@ int run_job(Scene scene, const RunOptions& options) {
   const double coverage = check_coverage(surface, options.quiet);
   lap("build");
 
-  Field<std::uint8_t> barrier = make_barrier(surface, scene, model.read);
+  std::vector<Mask> masks = make_masks(surface, scene, model.read);
+  Field<std::uint8_t> barrier = take_barrier(masks, surface, scene, model.read);
   const PlacedSeeds placed = place_seeds(surface, scene, model.read.file_vertices, barrier);
   lap("place_seeds");
 
-  const SimulationSetup setup{surface, scene.seed, placed.seeds, std::move(barrier)};
+  const SimulationSetup setup{surface, scene.seed, placed.seeds, std::move(barrier), std::move(masks)};
   const RunIdentity identity = identity_of_run(scene, behaviour, setup);
   const auto simulation = behaviour.create(setup, scene.parameters);
   if (checkpoint) {
@@ -178,7 +182,7 @@ int run_job(Scene scene, const RunOptions& options) {
   seconds["checkpoints"] = checkpoints.seconds();  // part of "grow"
 
   progress.stage("writing cells");
-  report.results = write_results(out, surface, *simulation, placed, !options.no_cells);
+  report.results = write_results(out, surface, *simulation, placed, setup.masks, !options.no_cells);
   std::vector<std::string>& files = report.results.files;
   // The size that was used, so that the run can be repeated whatever `cells` comes to mean.
   write_scene(out / "run.toml", scene);
@@ -189,6 +193,7 @@ int run_job(Scene scene, const RunOptions& options) {
     progress.stage("drawing");
     draw_results(out, surface, *simulation, scene);
     files.push_back("picture.png");
+    for (const Mask& mask : setup.masks) files.push_back(draw_mask(out, surface, mask, scene));
   } else {
     // One of an earlier run would not show these cells.
     std::error_code ignored;

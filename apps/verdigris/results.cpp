@@ -14,7 +14,8 @@ const std::vector<std::string>& result_files() {
 }
 
 Results write_results(const std::filesystem::path& out, const Surface& surface,
-                      const AnySimulation& simulation, const PlacedSeeds& placed, bool cells) {
+                      const AnySimulation& simulation, const PlacedSeeds& placed, std::span<const Mask> masks,
+                      bool cells) {
   Results results;
   std::vector<std::variant<Field<std::int32_t>, Field<float>>> fields;
   for (const FieldInfo& info : simulation.fields()) {
@@ -47,6 +48,7 @@ Results write_results(const std::filesystem::path& out, const Surface& surface,
             arrays.push_back({simulation.fields()[k].name, &field});
           },
           fields[k]);
+    for (const Mask& mask : masks) arrays.push_back({"mask_" + mask.name, &mask.values});
     write_cells_vtp(out / "cells.vtp", surface, arrays);
     results.files.insert(results.files.begin(), "cells.vtp");
   } else {
@@ -80,4 +82,15 @@ void draw_results(const std::filesystem::path& out, const Surface& surface, cons
       },
       values);
   write_picture(file, open, values, labels, scene.picture);
+}
+
+std::string draw_mask(const std::filesystem::path& out, const Surface& surface, const Mask& mask,
+                      const Scene& scene) {
+  const std::string name = "mask_" + mask.name + ".png";
+  CellValues values = mask.values;
+  if (scene.torus.width != 0)
+    write_torus_picture(out / name, surface, values, false, scene.torus);
+  else
+    write_picture(out / name, surface, values, false, scene.picture);
+  return name;
 }

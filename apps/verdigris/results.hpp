@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,10 +19,16 @@ struct Results {
   std::uint64_t unreached = 0;  ///< cells without a label, for behaviours that give some
 };
 
-/// cells.vtp (unless not wanted), regions.csv for a field of labels, curve.csv for one of arrivals.
+/// cells.vtp (unless not wanted; masks as `mask_NAME`), regions.csv for a field of labels, curve.csv for one
+/// of arrivals.
 Results write_results(const std::filesystem::path& out, const verdigris::Surface& surface,
-                      const verdigris::AnySimulation& simulation, const PlacedSeeds& placed, bool cells);
+                      const verdigris::AnySimulation& simulation, const PlacedSeeds& placed,
+                      std::span<const verdigris::Mask> masks, bool cells);
 
 /// picture.png of the simulation's first field.
 void draw_results(const std::filesystem::path& out, const verdigris::Surface& surface,
                   const verdigris::AnySimulation& simulation, const verdigris::Scene& scene);
+
+/// mask_NAME.png; returns that name.
+std::string draw_mask(const std::filesystem::path& out, const verdigris::Surface& surface,
+                      const verdigris::Mask& mask, const verdigris::Scene& scene);

@@ -49,13 +49,17 @@ PlacedSeeds place_seeds(const Surface& surface, const Scene& scene, std::size_t 
   return placed;
 }
 
+Field<std::uint8_t> barred_by(const Surface& surface, const Field<float>& mask, double threshold) {
+  Field<std::uint8_t> barrier(mask.size(), 0);
+  for (const Row& row : surface.rows())
+    for (std::uint32_t slot = row.run_begin; slot < row.run_end; ++slot)
+      barrier[slot] = mask[slot] >= static_cast<float>(threshold);
+  return barrier;
+}
+
 Field<std::uint8_t> make_barrier(const Surface& surface, const Scene& scene, const ReadReport& read) {
   if (scene.barrier.mask.empty()) return {};
   const Field<float> mask = file_values(surface, read_numbers(scene.barrier.mask), read.file_vertices,
                                         read.file_faces, scene.barrier.mask_on, scene.barrier.mask.string());
-  Field<std::uint8_t> barrier(mask.size(), 0);
-  for (const Row& row : surface.rows())
-    for (std::uint32_t slot = row.run_begin; slot < row.run_end; ++slot)
-      barrier[slot] = mask[slot] >= static_cast<float>(scene.barrier.threshold);
-  return barrier;
+  return barred_by(surface, mask, scene.barrier.threshold);
 }

@@ -18,6 +18,10 @@ struct PlacedSeeds {
 PlacedSeeds place_seeds(const verdigris::Surface& surface, const verdigris::Scene& scene,
                         std::size_t file_vertices, const verdigris::Field<std::uint8_t>& barrier);
 
+/// [slot] 1 where `mask` is at least `threshold`.
+verdigris::Field<std::uint8_t> barred_by(const verdigris::Surface& surface,
+                                         const verdigris::Field<float>& mask, double threshold);
+
 /// [slot] 1 where the scene's mask bars growth; empty without a mask. Throws InputError.
 verdigris::Field<std::uint8_t> make_barrier(const verdigris::Surface& surface, const verdigris::Scene& scene,
                                             const verdigris::ReadReport& read);

@@ -8,6 +8,9 @@
 #include <limits>
 
 #include "file_bytes.hpp"
+#include "scene_masks.hpp"
+#include "scene_table.hpp"
+#include "scene_text.hpp"
 #include "verdigris/base/error.hpp"
 #include "verdigris/io/replace_file.hpp"
 
@@ -30,97 +33,10 @@ const char* name_of(LinkKind kind) {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using io::Table;
+
 constexpr double most = std::numeric_limits<double>::max();
 constexpr std::int64_t most_whole = std::numeric_limits<std::int64_t>::max();
-
-// One table of a scene file, read key by key; what was not asked for is an error.
-class Table {
- public:
-  Table(const std::filesystem::path& file, const toml::table& root, const char* name)
-      : file_(file), name_(name) {
-    if (const toml::node* node = root.get(name)) {
-      table_ = node->as_table();
-      if (table_ == nullptr)
-        fail(*node, fmt::format("'{}' is not a table", name), fmt::format("write [{}]", name));
-    }
-  }
-
-  explicit operator bool() const { return table_ != nullptr; }
-  const toml::table& raw() const { return *table_; }
-
-  const toml::node* find(const char* key) const { return table_ == nullptr ? nullptr : table_->get(key); }
-
-  void text(const char* key, std::string& value) const {
-    if (const toml::node* node = find(key)) {
-      if (!node->is_string())
-        fail(*node, fmt::format("{}.{} is not a string", name_, key), "put it in quotes");
-      value = node->as_string()->get();
-    }
-  }
-  void flag(const char* key, bool& value) const {
-    if (const toml::node* node = find(key)) {
-      if (!node->is_boolean())
-        fail(*node, fmt::format("{}.{} is not true or false", name_, key), "write true or false");
-      value = node->as_boolean()->get();
-    }
-  }
-  void number(const char* key, double& value, double least, double greatest) const {
-    if (const toml::node* node = find(key)) value = number_of(*node, key, least, greatest);
-  }
-  double number_of(const toml::node& node, std::string_view key, double least, double greatest) const {
-    const auto value = node.value<double>();
-    if (!value || node.is_boolean() || node.is_string() || !(*value >= least && *value <= greatest))
-      fail(node, fmt::format("{}.{} is not a number from {} to {}", name_, key, least, greatest),
-           "correct the value");
-    return *value;
-  }
-  ParameterValue value_of(const toml::node& node, std::string_view key) const {
-    if (node.is_string()) return node.as_string()->get();
-    return number_of(node, key, -infinity, infinity);
-  }
-  template <typename Integer>
-  void whole(const char* key, Integer& value, std::int64_t least, std::int64_t greatest) const {
-    if (const toml::node* node = find(key))
-      value = static_cast<Integer>(whole_of(*node, key, least, greatest));
-  }
-  std::int64_t whole_of(const toml::node& node, std::string_view key, std::int64_t least,
-                        std::int64_t greatest) const {
-    if (!node.is_integer() || node.as_integer()->get() < least || node.as_integer()->get() > greatest)
-      fail(node, fmt::format("{}.{} is not a whole number from {} to {}", name_, key, least, greatest),
-           "correct the value");
-    return node.as_integer()->get();
-  }
-  const toml::array* array(const char* key) const {
-    const toml::node* node = find(key);
-    if (node == nullptr) return nullptr;
-    if (!node->is_array()) fail(*node, fmt::format("{}.{} is not an array", name_, key), "write [ ... ]");
-    return node->as_array();
-  }
-
-  void only(std::initializer_list<std::string_view> keys) const {
-    if (table_ == nullptr) return;
-    for (const auto& [key, node] : *table_) {
-      std::string known;
-      bool found = false;
-      for (const std::string_view k : keys) {
-        found = found || k == key.str();
-        if (!known.empty()) known += ", ";
-        known += k;
-      }
-      if (!found) fail(node, fmt::format("[{}] has no key '{}'", name_, key.str()), "the keys are: " + known);
-    }
-  }
-
-  [[noreturn]] void fail(const toml::node& node, const std::string& what, const std::string& remedy) const {
-    throw InputError(fmt::format("{}:{}", file_.string(), node.source().begin.line), what, remedy);
-  }
-
- private:
-  const std::filesystem::path& file_;
-  const char* name_;
-  const toml::table* table_ = nullptr;
-};
 
 void read_torus(const Table& mesh, TorusPlan& torus) {
   mesh.whole("patch", torus.patch, 4, 1 << 20);
@@ -181,10 +97,11 @@ Scene read_scene(const std::filesystem::path& file) {
   }
   for (const auto& [key, node] : root)
     if (key != "verdigris" && key != "mesh" && key != "surface" && key != "behaviour" && key != "seeds" &&
-        key != "barrier" && key != "run" && key != "picture")
-      throw InputError(fmt::format("{}:{}", file.string(), node.source().begin.line),
-                       fmt::format("there is no table '{}'", key.str()),
-                       "the tables are: verdigris, mesh, surface, behaviour, seeds, barrier, run, picture");
+        key != "masks" && key != "barrier" && key != "run" && key != "picture")
+      throw InputError(
+          fmt::format("{}:{}", file.string(), node.source().begin.line),
+          fmt::format("there is no table '{}'", key.str()),
+          "the tables are: verdigris, mesh, surface, behaviour, seeds, masks, barrier, run, picture");
 
   Scene scene;
   scene.file = file;
@@ -228,6 +145,8 @@ Scene read_scene(const std::filesystem::path& file) {
 
   read_seeds(Table(file, root, "seeds"), base, scene.seeds);
 
+  scene.masks = io::read_masks(file, root);
+
   const Table barrier(file, root, "barrier");
   barrier.only({"angle", "mask", "mask_on", "threshold"});
   barrier.number("angle", scene.barrier.angle, 0.0, 181.0);
@@ -237,6 +156,7 @@ Scene read_scene(const std::filesystem::path& file) {
   barrier.text("mask_on", scene.barrier.mask_on);
   check_mask_on(scene.barrier.mask_on, file.string());
   barrier.number("threshold", scene.barrier.threshold, -most, most);
+
 
   const Table run(file, root, "run");
   run.only({"seed", "steps"});
@@ -254,43 +174,10 @@ Scene read_scene(const std::filesystem::path& file) {
   return scene;
 }
 
-namespace {
-
-// 17 digits bring back the same double; always with a point or exponent, so that TOML reads a float.
-std::string exact(double value) {
-  std::string text = fmt::format("{:.17g}", value);
-  if (text.find_first_of(".en") == std::string::npos) text += ".0";
-  return text;
-}
-
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-    else
-      out += c;
-  }
-  return out + '"';
-}
-
-std::string written(const ParameterValue& value) {
-  const auto* text = std::get_if<std::string>(&value);
-  return text != nullptr ? quoted(*text) : exact(std::get<double>(value));
-}
-
-std::string path_from(const std::filesystem::path& file, const std::filesystem::path& target) {
-  // Only folders are resolved: a model's own name may be a link, and its extension is needed.
-  const auto folder_of = [](const std::filesystem::path& path) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(path).parent_path());
-  };
-  const auto there = folder_of(target) / target.filename();
-  const auto relative = there.lexically_relative(folder_of(file));
-  return quoted((relative.empty() ? there : relative).generic_string());
-}
-
-}  // namespace
+using io::exact;
+using io::path_from;
+using io::quoted;
+using io::written;
 
 void write_scene(const std::filesystem::path& file, const Scene& scene) {
   std::string text =
@@ -327,10 +214,12 @@ void write_scene(const std::filesystem::path& file, const Scene& scene) {
       text += "]\n";
     }
   }
+  for (const MaskPlan& mask : scene.masks) text += io::mask_text(mask, file);
   text += fmt::format("\n[barrier]\nangle = {}\n", exact(scene.barrier.angle));
+  text += fmt::format("threshold = {}\n", exact(scene.barrier.threshold));
   if (!scene.barrier.mask.empty())
-    text += fmt::format("mask = {}\nmask_on = {}\nthreshold = {}\n", path_from(file, scene.barrier.mask),
-                        quoted(scene.barrier.mask_on), exact(scene.barrier.threshold));
+    text += fmt::format("mask = {}\nmask_on = {}\n", path_from(file, scene.barrier.mask),
+                        quoted(scene.barrier.mask_on));
   text += fmt::format("\n[run]\nseed = {}\nsteps = {}\n", scene.seed, scene.steps);
   const PicturePlan& picture = scene.picture;
   text += fmt::format("\n[picture]\ndraw = {}\nview = {}\nup = {}\nwidth = {}\nheight = {}\noutline = {}\n",

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,20 @@ struct SeedPlan {
   std::vector<double> weights;          ///< speed of label k, for `count` and `vertices`; empty: all 1
 
   bool empty() const { return count == 0 && points.empty() && vertices.empty(); }
+};
+
+/// A scalar field of 0 to 1 that drives the behaviour: what it drives is its name. One named "barrier" bars
+/// growth instead, where it reaches BarrierPlan::threshold.
+struct MaskPlan {
+  std::string name;
+  std::string source;          ///< a primitive of the catalogue, looked up in space; empty: a file
+  ParameterValues parameters;  ///< of the primitive
+  std::uint64_t seed = 1;      ///< of the primitive
+  double scale = 1.0;          ///< how many windows of the primitive the model's longest side spans
+  std::filesystem::path file;  ///< numbers, one for each vertex or face of the model's file
+  std::string on;              ///< "vertices" or "faces"; empty: told by how many numbers there are
+  std::optional<double> low,
+      high;  ///< values that become 0 and 1; none: the primitive's range; of files 0, 1
 };
 
 /// Where growth must not go.
@@ -60,6 +75,7 @@ struct Scene {
   std::string behaviour = "voronoi";
   ParameterValues parameters;
   SeedPlan seeds;
+  std::vector<MaskPlan> masks;
   BarrierPlan barrier;
   std::uint64_t seed = 1;
   std::uint64_t steps = 0;  ///< 0: until nothing can change
