@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "checkpoints.hpp"
+#include "corrosion_results.hpp"
 #include "masks.hpp"
 #include "model.hpp"
 #include "picture.hpp"
@@ -62,7 +63,9 @@ bool grow(AnySimulation& simulation, const Scene& scene, std::uint64_t cells, Pr
   progress.stage("growing");
   std::uint64_t changed = 0;
   const auto ended = [&] {
-    return simulation.finished() || (scene.steps != 0 && simulation.steps() >= scene.steps);
+    // Patina grows on where nothing more can corrode.
+    const bool still = simulation.finished() && (scene.corrosion.empty() || scene.steps == 0);
+    return still || (scene.steps != 0 && simulation.steps() >= scene.steps);
   };
   while (!ended()) {
     const StepReport step = simulation.step();
@@ -124,6 +127,8 @@ int run_job(Scene scene, const RunOptions& options) {
   Progress progress(!options.quiet);
   const Catalogue catalogue = builtin_catalogue();
   const BehaviourEntry& behaviour = catalogue.find(scene.behaviour);
+  std::optional<Material> material;
+  if (!scene.corrosion.empty()) material = prepare_corrosion(scene);
   check_scene(scene, behaviour);
   scene.parameters = all_parameters(behaviour, scene.parameters);
   if (scene.steps == 0) scene.steps = behaviour.default_steps;
@@ -182,8 +187,15 @@ int run_job(Scene scene, const RunOptions& options) {
   seconds["checkpoints"] = checkpoints.seconds();  // part of "grow"
 
   progress.stage("writing cells");
-  report.results = write_results(out, surface, *simulation, placed, setup.masks, !options.no_cells);
+  const auto* corrosion = material ? dynamic_cast<const CorrosionGrowth*>(simulation.get()) : nullptr;
+  report.results =
+      write_results(out, surface, *simulation, placed, setup.masks, !options.no_cells && !corrosion);
   std::vector<std::string>& files = report.results.files;
+  const auto add_files = [&](const std::vector<std::string>& more) {
+    files.insert(files.end(), more.begin(), more.end());
+  };
+  if (corrosion)
+    add_files(write_corrosion(out, *corrosion, *material, scene.corrosion, setup.masks, !options.no_cells));
   // The size that was used, so that the run can be repeated whatever `cells` comes to mean.
   write_scene(out / "run.toml", scene);
   files.push_back("run.toml");
@@ -191,8 +203,12 @@ int run_job(Scene scene, const RunOptions& options) {
 
   if (scene.picture.draw) {
     progress.stage("drawing");
-    draw_results(out, surface, *simulation, scene);
-    files.push_back("picture.png");
+    if (corrosion) {
+      add_files(draw_corrosion(out, *corrosion, *material, scene));
+    } else {
+      draw_results(out, surface, *simulation, scene);
+      files.push_back("picture.png");
+    }
     for (const Mask& mask : setup.masks) files.push_back(draw_mask(out, surface, mask, scene));
   } else {
     // One of an earlier run would not show these cells.

@@ -39,8 +39,13 @@ int main(int argc, char** argv) {
   int status = 0;
   add_info(app);
   add_behaviours(app, status);
+  add_corrode(app, status);
+#ifdef VERDIGRIS_WITH_GL
+  add_figures(app);
+#endif
   add_run(app, status);
   add_synth(app);
+  add_weather(app, status);
   add_lsystem(app);
   add_list(app);
 

@@ -61,4 +61,7 @@ void add_list(CLI::App& app);
 void add_lsystem(CLI::App& app);
 void add_run(CLI::App& app, int& status);
 void add_synth(CLI::App& app);
+void add_weather(CLI::App& app, int& status);
 void add_behaviours(CLI::App& app, int& status);
+void add_corrode(CLI::App& app, int& status);
+void add_figures(CLI::App& app);

@@ -8,8 +8,9 @@
 using namespace verdigris;
 
 const std::vector<std::string>& result_files() {
-  static const std::vector<std::string> files{"cells.vtp", "regions.csv", "curve.csv",
-                                              "run.toml",  "picture.png", "checkpoint.vgc"};
+  static const std::vector<std::string> files{"cells.vtp",   "regions.csv",    "curve.csv", "statistics.csv",
+                                              "spots.csv",   "share.png",      "loss.png",  "spots.png",
+                                              "picture.png", "checkpoint.vgc", "run.toml"};
   return files;
 }
 

@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "job.hpp"
+#include "weather_job.hpp"
 
 void add_run(CLI::App& app, int& status) {
   struct Options {
@@ -16,6 +17,8 @@ void add_run(CLI::App& app, int& status) {
       "A scene names mesh, surface, behaviour, seeds, barrier, run and picture; every run writes one as "
       "run.toml.\n"
       "Paths in it are relative to it.");
-  command->callback(
-      [options, &status] { status = run_job(verdigris::read_scene(options->scene), options->run); });
+  command->callback([options, &status] {
+    const verdigris::Scene scene = verdigris::read_scene(options->scene);
+    status = scene.weathering.empty() ? run_job(scene, options->run) : run_weathering(scene, options->run);
+  });
 }

@@ -8,9 +8,11 @@
 #include <limits>
 
 #include "file_bytes.hpp"
+#include "scene_corrosion.hpp"
 #include "scene_masks.hpp"
 #include "scene_table.hpp"
 #include "scene_text.hpp"
+#include "scene_weathering.hpp"
 #include "verdigris/base/error.hpp"
 #include "verdigris/io/replace_file.hpp"
 
@@ -97,11 +99,13 @@ Scene read_scene(const std::filesystem::path& file) {
   }
   for (const auto& [key, node] : root)
     if (key != "verdigris" && key != "mesh" && key != "surface" && key != "behaviour" && key != "seeds" &&
-        key != "masks" && key != "barrier" && key != "run" && key != "picture")
-      throw InputError(
-          fmt::format("{}:{}", file.string(), node.source().begin.line),
-          fmt::format("there is no table '{}'", key.str()),
-          "the tables are: verdigris, mesh, surface, behaviour, seeds, masks, barrier, run, picture");
+        key != "masks" && key != "barrier" && key != "corrosion" && key != "weathering" &&
+        key != "timeline" && key != "run" && key != "picture")
+      throw InputError(fmt::format("{}:{}", file.string(), node.source().begin.line),
+                       fmt::format("there is no table '{}'", key.str()),
+                       "the tables are: verdigris, mesh, surface, behaviour, seeds, masks, barrier, "
+                       "corrosion, weathering, "
+                       "timeline, run, picture");
 
   Scene scene;
   scene.file = file;
@@ -157,6 +161,7 @@ Scene read_scene(const std::filesystem::path& file) {
   check_mask_on(scene.barrier.mask_on, file.string());
   barrier.number("threshold", scene.barrier.threshold, -most, most);
 
+  scene.corrosion = io::read_corrosion(file, root);
 
   const Table run(file, root, "run");
   run.only({"seed", "steps"});
@@ -171,6 +176,10 @@ Scene read_scene(const std::filesystem::path& file) {
   picture.whole("width", scene.picture.width, 1, 8192);
   picture.whole("height", scene.picture.height, 1, 8192);
   picture.flag("outline", scene.picture.outline);
+
+  std::vector<std::string> mask_names;
+  for (const MaskPlan& plan : scene.masks) mask_names.push_back(plan.name);
+  scene.weathering = io::read_weathering(file, root, mask_names);
   return scene;
 }
 
@@ -225,6 +234,7 @@ void write_scene(const std::filesystem::path& file, const Scene& scene) {
   text += fmt::format("\n[picture]\ndraw = {}\nview = {}\nup = {}\nwidth = {}\nheight = {}\noutline = {}\n",
                       picture.draw, quoted(picture.view), quoted(picture.up), picture.width, picture.height,
                       picture.outline);
+  text += io::weathering_text(scene.weathering, file);
   ReplaceFile out(file);
   out.write(text);
   out.commit();

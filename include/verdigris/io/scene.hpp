@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "verdigris/base/parameters.hpp"
+#include "verdigris/io/corrosion_plan.hpp"
 #include "verdigris/io/read_points.hpp"
+#include "verdigris/io/weathering_plan.hpp"
 #include "verdigris/surface/surface.hpp"
 
 namespace verdigris {
@@ -77,9 +79,11 @@ struct Scene {
   SeedPlan seeds;
   std::vector<MaskPlan> masks;
   BarrierPlan barrier;
+  CorrosionPlan corrosion;
   std::uint64_t seed = 1;
   std::uint64_t steps = 0;  ///< 0: until nothing can change
   PicturePlan picture;
+  WeatheringPlan weathering;  ///< or none
 };
 
 /// Reads a scene; paths in it are relative to the file. Throws InputError with file and line for TOML that
