@@ -92,13 +92,14 @@ StepReport CorrosionGrowth::step() {
 }
 
 // A cell may attack for ever one that does not see it, over an edge between turned grids. So a front at which
-// no sound cell waits is at rest, once no word but the attackers' directions has changed for two steps: one
-// in which holds may fall, one in which idle cells hear of it.
+// no sound cell is threatened is at rest, once no word but the attackers' directions has changed for two
+// steps: one in which holds may fall, one in which idle cells hear of it.
 bool CorrosionGrowth::finished() const {
   if (parameters_.new_seeds > 0.0 && placed_ < parameters_.most_seeds && seedable_ > 0) return false;
   if (stepper_->finished()) return true;
-  return calm_ >= 2 && !stepper_->any_alarm() && !stepper_->any_candidate([&](const auto& n) {
-    return CorrosionRule::sound(n.centre()) && rule().waits(n);
+  if (calm_ < 2 || stepper_->any_alarm()) return false;
+  return !stepper_->any_candidate([&](const Neighbourhood<Word>& n) {
+    return rule().threatened(n, static_cast<std::uint32_t>(n.here - words().data()));
   });
 }
 
@@ -162,7 +163,9 @@ void CorrosionGrowth::restore(const SavedState& saved) {
   if (placed.size() != 1 || calm.size() != 1 || placed[0] > parameters_.most_seeds || !possible)
     throw InputError("saved state", "it holds seeds or steps that this corrosion cannot have reached",
                      "start again");
-  stepper_ = std::make_unique<Stepper>(surface_, CorrosionRule(rule()), std::move(state), seed_, restart);
+  CorrosionRule at_rest(rule());
+  at_rest.now = restart.step;
+  stepper_ = std::make_unique<Stepper>(surface_, std::move(at_rest), std::move(state), seed_, restart);
   placed_ = placed[0];
   calm_ = calm[0];
   count_all();

@@ -179,6 +179,21 @@ TEST(CorrosionGrowth, AnyNumberOfThreadsGivesTheSameBits) {
   EXPECT_EQ(one, run(5));
 }
 
+// Cells that hold, and attackers that run out of metal: what is left is out of everyone's reach.
+TEST(CorrosionGrowth, EndsWhereNobodyCanFall) {
+  const Surface s = make_surface(shapes::torus(3, 1, 20, 12), {.cell_size = 0.03});
+  CorrosionParameters p;
+  p.new_seeds = 1e-4;
+  p.forces.strong_defence = 0.95;
+  p.forces.support = 0.02;
+  p.thickness.metal = 2.0;
+  CorrosionGrowth growth({s, 5}, p);
+  while (!growth.finished() && growth.steps() < 3000) growth.step();
+  EXPECT_TRUE(growth.finished());
+  EXPECT_LT(growth.steps(), 3000u);
+  for (int more = 0; more < 200; ++more) EXPECT_EQ(growth.step().changed, 0u);
+}
+
 TEST(CorrosionGrowth, RefusesWhatCannotBe) {
   const Surface s = make_surface(shapes::cube(1), {.cell_size = 0.1});
   const std::uint32_t slot = slot_at(s, {0.5, 0.5, 1});

@@ -116,6 +116,22 @@ struct CorrosionRule {
   static std::array<State, 8> around(const Neighbourhood<State>& n) {
     return {n.here[1], n.above[1], n.above[0], n.above[-1], n.here[-1], n.below[-1], n.below[0], n.below[1]};
   }
+  /// Neighbour k has lain still since it drew its directions, and has no metal left by now.
+  bool lies_dead(const Neighbourhood<State>& n, unsigned k, std::uint32_t slot) const {
+    const State* const at[8] = {n.here + 1, n.above + 1, n.above, n.above - 1,
+                                n.here - 1, n.below - 1, n.below, n.below + 1};
+    const State s = *at[k];
+    return (s & (done_bit | idle_bit)) != 0 &&
+           now - birth(s) > lifetime_at(static_cast<std::uint32_t>(slot + (at[k] - n.here)));
+  }
+  /// A sound cell may still fall though nothing around it changes.
+  bool threatened(const Neighbourhood<State>& n, std::uint32_t slot) const {
+    if (!sound(*n.here) || (*n.here & done_bit) != 0) return false;
+    const auto near = around(n);
+    for (unsigned k = 0; k < 8; ++k)
+      if ((near[k] & 0xFFu) != 0 && !lies_dead(n, k, slot)) return true;
+    return false;
+  }
   /// f1: how many of `valid` sound neighbours a cell of `age` attacks.
   std::uint32_t attacked(std::uint32_t valid, std::uint64_t age) const {
     const auto grown = static_cast<std::uint32_t>(std::min<std::uint64_t>(age, forces_.reach_age));
@@ -144,13 +160,8 @@ inline CorrosionRule::State CorrosionRule::defend(const Neighbourhood<State>& n,
   const auto words = random.words(force_purpose);
   for (unsigned k = 0; k < 8; ++k) {
     if ((attackers >> k & 1u) == 0) continue;
+    if (lies_dead(n, k, random.cell())) continue;
     const std::uint64_t age = now - birth(near[k]);
-    if ((near[k] & (done_bit | idle_bit)) != 0) {
-      // It lay still since it drew: its metal may have run out.
-      const State* const at[8] = {n.here + 1, n.above + 1, n.above,     n.above - 1,
-                                  n.here - 1, n.below - 1, n.below + 0, n.below + 1};
-      if (age > lifetime_at(static_cast<std::uint32_t>(random.cell() + (at[k] - n.here)))) continue;
-    }
     const double ripe =
         static_cast<double>(std::min<std::uint64_t>(age, forces_.attack_age)) / forces_.attack_age;
     const double u = ((words[k / 2] >> (k % 2 * 16) & 0xFFFFu) + 1.0) / 65536.0;
