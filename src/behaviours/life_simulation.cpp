@@ -60,9 +60,11 @@ class PackedSimulation final : public LifeSimulation {
   PackedSimulation(const SimulationSetup& setup, const LifeRule& rule, double density)
       : LifeSimulation(setup.surface), cells_(setup.surface), life_(cells_, rule) {
     const Field<std::uint8_t> alive = first_generation(setup, density);
+    std::vector<std::uint64_t> state = life_.state();
     for_owned([&](std::uint32_t slot, std::uint32_t bit) {
-      if (alive[slot] != 0) life_.set(bit, true);
+      if (alive[slot] != 0) state[bit >> 6] |= std::uint64_t{1} << (bit & 63);
     });
+    life_.restore(std::move(state), 0);
   }
   std::uint64_t steps() const override { return life_.steps(); }
   std::size_t bytes() const override { return cells_.bytes() + life_.bytes(); }
@@ -87,11 +89,21 @@ class PackedSimulation final : public LifeSimulation {
 
  private:
   std::uint64_t advance() override { return life_.step(); }
+  // In parallel by rows: a word holds cells of one row only. Its first cell is looked up, the others follow.
   template <typename Visit>
   void for_owned(Visit&& visit) const {
-    for (const Row& row : surface_.rows())
-      for (std::uint32_t slot = row.run_begin; slot < row.run_end; ++slot)
-        visit(slot, cells_.bit_of(surface_, slot));
+    const auto rows = surface_.rows();
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows.size(), 64),
+                      [&](const tbb::blocked_range<std::size_t>& range) {
+                        for (std::size_t r = range.begin(); r < range.end(); ++r) {
+                          std::uint32_t slot = rows[r].run_begin;
+                          while (slot < rows[r].run_end) {
+                            std::uint32_t bit = cells_.bit_of(surface_, slot);
+                            do visit(slot++, bit++);
+                            while (slot < rows[r].run_end && (bit & 63) != 0);
+                          }
+                        }
+                      });
   }
 
   PackedSurface cells_;

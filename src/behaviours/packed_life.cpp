@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <functional>
 #include <utility>
 
 #include "verdigris/base/error.hpp"
@@ -220,11 +221,13 @@ std::uint64_t PackedLife::advance(std::size_t patch, std::vector<std::uint64_t>&
     // Row 0 of a column is grid row -1: nothing evolves there, nor in the last.
     for (std::size_t row = 1; row + 1 < rows[k]; row += lanes) {
       const std::size_t w = column + row;
-      const Rows next = (moore ? decide(sum_at(w - 1), sum_at(w), sum_at(w + 1), load(old + w), rule_)
-                               : decide(alone(w - 1), sum_at(w), alone(w + 1), load(old + w), rule_)) &
-                        owned_bits(bits + w);
+      // What was owned before is read from the copy: beyond this patch others are writing.
+      const Rows centre = load(old + w), owned = owned_bits(bits + w), before = centre & owned;
+      const Rows next = (moore ? decide(sum_at(w - 1), sum_at(w), sum_at(w + 1), centre, rule_)
+                               : decide(alone(w - 1), sum_at(w), alone(w + 1), centre, rule_)) &
+                        owned;
       const std::size_t some = std::min(lanes, rows[k] - 1 - row);
-      const Rows before = load(state + w), differs = next ^ before;
+      const Rows differs = next ^ before;
       if (some == lanes) {
         store(state + w, next);
       } else {

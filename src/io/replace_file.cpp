@@ -19,6 +19,13 @@ constexpr const char* remedy = "choose a directory that exists, has space and ca
 }
 
 ReplaceFile::ReplaceFile(std::filesystem::path target) : target_(std::move(target)) {
+  // A rename would put a file in the place of a device, and fail over a directory after all the work.
+  std::error_code ignored;
+  const auto kind = std::filesystem::status(target_, ignored).type();
+  if (kind != std::filesystem::file_type::not_found && kind != std::filesystem::file_type::regular &&
+      kind != std::filesystem::file_type::none)
+    throw InputError(target_.string(), "is there already, and is no file that can be replaced",
+                     "choose another name");
   // The process id keeps two runs into one directory apart.
   aside_ = target_;
   aside_ += fmt::format(".{}.part", ::getpid());

@@ -14,6 +14,13 @@ Surface make_flat_torus(std::uint32_t width, std::uint32_t height, std::uint32_t
   if (patch < 4 || patch % 2 != 0 || width == 0 || height == 0 || width % patch != 0 || height % patch != 0)
     throw InputError("flat torus", fmt::format("{} x {} cells in patches {} long", width, height, patch),
                      "make the patch length even and at least 4, and width and height multiples of it");
+  // Slots and half-edges are 32 bits; a triangle of patch^2 / 4 cells stores some 2 patch more.
+  const double cells = static_cast<double>(width) * height,
+               triangles = 4.0 * (width / patch) * (height / patch);
+  if (cells + 2.0 * patch * triangles > 4.2e9 || triangles > 3e8)
+    throw InputError("flat torus",
+                     fmt::format("{} x {} cells in patches {} long are too many", width, height, patch),
+                     "make it smaller, or its patches longer; 4e9 cells and their ghosts fit");
   const std::uint32_t across = width / patch, bands = 2 * (height / patch), half = patch / 2;
   Mesh mesh;
   // Triangle 2 i of a band stands on its long side, 2 i + 1 hangs from the band's upper edge.

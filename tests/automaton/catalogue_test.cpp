@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "shapes.hpp"
-#include "verdigris/behaviours/builtin.hpp"
 #include "verdigris/base/error.hpp"
+#include "verdigris/behaviours/builtin.hpp"
 
 using namespace verdigris;
 
@@ -41,8 +41,10 @@ TEST(Catalogue, IsOpen) {
 
   const Surface s = make_surface(shapes::cube(1), {.cell_size = 0.02});
   const auto simulation = fire.create({s, 1, {}, {}}, {{"catches", 1.0}});
-  while (!simulation->finished() && simulation->steps() < 1000) simulation->step();
-  EXPECT_TRUE(simulation->finished());
+  while (simulation->steps() < 1000 && simulation->step().changed != 0) {
+  }
+  EXPECT_FALSE(simulation->finished());  // a rule with chances has no end of its own
+  EXPECT_EQ(fire.default_steps, 100u);
   const auto state = simulation->field("state");
   for (const Row& row : s.rows())
     for (std::uint32_t slot = row.run_begin; slot < row.run_end; ++slot) EXPECT_EQ(state[slot], 2);
@@ -59,6 +61,29 @@ TEST(Catalogue, RefusesWhatAParameterCannotBe) {
   EXPECT_THROW(voronoi.create(setup, {{"corner", std::nan("")}}), InputError);
   EXPECT_THROW(voronoi.create(setup, {{"korner", 0.3}}), InputError);
   EXPECT_THROW(catalogue.find("voronoy"), InputError);
+}
+
+// Nothing happens before the fifth step: a step without a change ends no behaviour that has a clock.
+struct Late {
+  static constexpr const char *name = "late", *summary = "comes to life in the fifth step";
+  using State = std::uint8_t;
+  std::uint64_t now = 0;
+  State outside() const { return 0; }
+  State initial(const CellRandom&) const { return 0; }
+  void begin_step(std::uint64_t step) { now = step; }
+  State next(const Neighbourhood<State>& n, const CellRandom&) const { return now == 5 ? State{1} : *n.here; }
+  template <typename V>
+  void parameters(V&&) {}
+};
+
+TEST(Catalogue, AStepWithoutChangeEndsOnlyWhatRests) {
+  Catalogue catalogue;
+  catalogue.add<Late>();
+  const Surface s = make_surface(shapes::cube(1), {.cell_size = 0.1});
+  const auto simulation = catalogue.find("late").create({s, 1}, {});
+  std::uint64_t changed = 0;
+  while (!simulation->finished() && simulation->steps() < 8) changed += simulation->step().changed;
+  EXPECT_EQ(changed, s.owned_count());
 }
 
 }  // namespace

@@ -3,12 +3,12 @@
 // most places, but not for good.
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <atomic>
 #include <bit>
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -20,7 +20,7 @@
 
 namespace verdigris {
 
-/// Runs a RestingBehaviour or FrontBehaviour. A step evaluates the active rows of cells, then writes those
+/// Runs an ActiveBehaviour. A step evaluates the active rows of cells, then writes those
 /// that changed and makes the rows around them active, across edges through ghosts. A patch without an active
 /// row costs next to nothing: rows are marked by a bit. Two state buffers. The same bits as SweepStepper. The
 /// surface must outlive it.

@@ -55,10 +55,6 @@ concept FrontBehaviour = Behaviour<B> &&
 template <typename B>
 concept RestingBehaviour = Behaviour<B> && B::rests;
 
-/// What can be run on active rows.
-template <typename B>
-concept ActiveBehaviour = RestingBehaviour<B> || FrontBehaviour<B>;
-
 /// A FrontBehaviour whose states carry the step they were made in, so that a step may be done in place:
 /// `next` takes a neighbour that changed in this very step for what it was before, what changes is settled,
 /// and a cell beside a changed one waits.
@@ -85,6 +81,11 @@ concept TimedBehaviour =
     FrontBehaviour<B> && !StampedBehaviour<B> && requires(const B& b, typename B::State s) {
   { b.alarm(s) } -> std::same_as<std::uint64_t>;
 };
+
+/// What can be run on active rows: rows know neither alarms nor changes that wake nobody.
+template <typename B>
+concept ActiveBehaviour = RestingBehaviour<B> ||
+    (FrontBehaviour<B> && !WakingBehaviour<B> && !TimedBehaviour<B>);
 
 /// A behaviour whose states hold directions. A ghost lies in another frame than its owner: it shows
 /// `turned(state, eighths)`, the owner's state with its directions turned counter-clockwise by that many

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "verdigris/automaton/simulation.hpp"
@@ -59,11 +60,18 @@ class Catalogue {
   /// `State initial(const CellRandom&) const` and `template <typename V> void parameters(V&&)`.
   template <Behaviour B>
   void add() {
-    add({B::name, B::summary, false, describe_parameters<B>(),
-         [](const SimulationSetup& setup, const ParameterValues& values) -> std::unique_ptr<AnySimulation> {
-           return std::make_unique<RuleSimulation<B>>(setup.surface, with_parameters<B>(B::name, values),
-                                                      setup.seed);
-         }});
+    BehaviourEntry entry;
+    entry.name = B::name;
+    entry.summary = B::summary;
+    entry.parameters = describe_parameters<B>();
+    entry.create = [](const SimulationSetup& setup,
+                      const ParameterValues& values) -> std::unique_ptr<AnySimulation> {
+      return std::make_unique<RuleSimulation<B>>(setup.surface, with_parameters<B>(B::name, values),
+                                                 setup.seed);
+    };
+    // Only what rests or has a front comes to an end by itself.
+    if constexpr (!RestingBehaviour<B> && !FrontBehaviour<B>) entry.default_steps = 100;
+    add(std::move(entry));
   }
 
   /// Throws InputError naming the behaviours there are.

@@ -90,7 +90,7 @@ class RuleSimulation final : public AnySimulation {
 
   StepReport step() override {
     const StepReport report = stepper_->step();
-    ended_ = !FrontBehaviour<B> && report.changed == 0;
+    ended_ = RestingBehaviour<B> && report.changed == 0;
     return report;
   }
   bool finished() const override {
