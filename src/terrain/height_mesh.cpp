@@ -8,7 +8,13 @@ namespace verdigris {
 
 namespace {
 
+// Vertices and those of the walls and the floor are counted in 32 bits.
+constexpr std::uint64_t most_heights = 4'000'000'000;
+
 void check(const HeightMap& map) {
+  if (map.width > 0 && map.height > 0 &&
+      static_cast<std::uint64_t>(map.width) * static_cast<std::uint64_t>(map.height) > most_heights)
+    throw std::length_error("a height mesh of more than 4e9 heights");
   if (map.width < 2 || map.height < 2 ||
       map.values.size() != static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height))
     throw std::invalid_argument("a height mesh needs 2 x 2 heights, and as many as its size says");
@@ -60,6 +66,8 @@ Mesh height_mesh(const HeightMap& map, double scale) {
 
 Mesh height_solid(const HeightMap& map, double scale, double base) {
   Mesh mesh = height_mesh(map, scale);
+  for (const glm::dvec3& p : mesh.positions)
+    if (!(base < p.y)) throw std::invalid_argument("the floor of a solid is not below all its heights");
   const std::vector<std::uint32_t> top = border(map);
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   for (const std::uint32_t v : top)

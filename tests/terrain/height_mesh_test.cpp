@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <stdexcept>
 #include <vector>
@@ -49,10 +50,19 @@ TEST(HeightMesh, SolidsAreClosedAndHoldWhatLiesUnderThem) {
   EXPECT_NEAR(enclosed(mesh), 4.0 * 3.0 * 3.0, 1e-12);
 }
 
+TEST(HeightMesh, RefusesFloorsThatCutTheLand) {
+  const std::vector<float> values{0.0f, 1.0f, 2.0f, 3.0f};
+  for (const double base : {0.0, 1.0, std::nan("")})
+    EXPECT_THROW(height_solid({2, 2, 1.0, values}, 1.0, base), std::invalid_argument) << base;
+  EXPECT_THROW(height_solid({2, 2, 1.0, values}, -1.0, -3.0), std::invalid_argument);
+  EXPECT_NO_THROW(height_solid({2, 2, 1.0, values}, -1.0, -3.1));
+}
+
 TEST(HeightMesh, RefusesWhatIsNoGrid) {
   const std::vector<float> values(4);
   EXPECT_THROW(height_mesh({1, 4, 1.0, values}, 1.0), std::invalid_argument);
   EXPECT_THROW(height_mesh({3, 2, 1.0, values}, 1.0), std::invalid_argument);
+  EXPECT_THROW(height_mesh({65536, 65536, 1.0, {}}, 1.0), std::length_error);
 }
 
 }  // namespace
