@@ -1,5 +1,7 @@
 // Lines on the surface brought to its cells.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -35,7 +37,7 @@ void sample(const Surface& surface, const SurfaceLine& line, double spacing, Vis
   }
 }
 
-constexpr std::size_t most_samples = 50'000'000;
+constexpr std::size_t most_samples = 50'000'000, most_seed_samples = 5'000'000;
 
 // By slot, each once.
 void merge(std::vector<LineCell>& cells) {
@@ -65,7 +67,7 @@ std::vector<LineCell> cells_of(const Surface& surface, const SurfaceDrawing& dra
   for (const SurfaceLine& line : drawing.lines)
     sample(surface, line, spacing, [&](const SurfacePoint& at, const glm::dvec2& direction, double width) {
       const glm::dvec2 across(-direction.y, direction.x);
-      const int aside = static_cast<int>(std::min(0.5 * std::min(width, 4.0 * extent) / spacing, 1e8));
+      const int aside = static_cast<int>(std::min(0.5 * std::clamp(width, 0.0, 4.0 * extent) / spacing, 1e8));
       looked_at += 2 * static_cast<std::size_t>(aside) + 1;
       if (looked_at > most_samples || width > 2.0 * extent)
         throw InputError("width", "the lines are so wide or long that they cover the surface many times over",
@@ -100,12 +102,17 @@ std::vector<Seed> seeds_along(const Surface& surface, const SurfaceDrawing& draw
     for (const double width : line.widths) widest = std::max(widest, width);
   std::vector<Seed> seeds;
   std::unordered_set<std::uint32_t> taken;
+  std::size_t looked_at = 0;
   for (const SurfaceLine& line : drawing.lines)
     sample(surface, line, std::max(spacing, 0.5 * surface.cell_size()),
            [&](const SurfacePoint& at, const glm::dvec2&, double width) {
+             if (++looked_at > most_seed_samples)
+               throw InputError(
+                   "spacing", fmt::format("there are more than {} points along the lines", most_seed_samples),
+                   "put them farther apart, draw shorter lines, or use larger cells");
              const auto slot = cell_at(surface, at);
              if (slot && taken.insert(*slot).second)
-               seeds.push_back({*slot, widest > 0.0 ? width / widest : 1.0});
+               seeds.push_back({*slot, widest > 0.0 ? std::max(width, 0.0) / widest : 1.0});
            });
   return seeds;
 }

@@ -54,7 +54,10 @@ class SurfaceTurtle {
   void turn(double degrees) { at_.pose.turn(degrees); }
   void pitch(double degrees) { at_.pose.pitch(degrees); }
   void roll(double degrees) { at_.pose.roll(degrees); }
-  void scale_width(double factor) { at_.width *= factor; }
+  void scale_width(double factor) {
+    at_.width *= factor;
+    check_measure("a width", at_.width);
+  }
   void set_width(double width) { at_.width = width; }
   void push() {
     stack_.push_back(at_);

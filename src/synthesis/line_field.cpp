@@ -1,9 +1,13 @@
 #include "line_field.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include "verdigris/base/error.hpp"
 
 namespace verdigris::synthesis {
 
@@ -13,6 +17,9 @@ LineField::LineField(std::span<const TurtleLine> lines, double falloff) : fallof
   const double longest = std::max({extent.x, extent.y, extent.z});
   // A margin for what lies beside the lines.
   const double scale = longest > 0.0 ? std::max(0.1, 1.0 - 2.0 * falloff) / longest : 1.0;
+  if (!std::isfinite(longest) || !std::isfinite(scale))
+    throw InputError("lines", fmt::format("the longest side of the drawing is {}", longest),
+                     "draw with lengths that are neither tiny nor huge");
   flat_ = extent.z <= 1e-9 * longest;
   const auto placed = [&](const glm::dvec3& p) {
     const glm::dvec3 q = (p - middle) * scale + 0.5;

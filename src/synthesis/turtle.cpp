@@ -1,9 +1,12 @@
 #include "verdigris/synthesis/turtle.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <glm/common.hpp>
 #include <numbers>
 
+#include "verdigris/base/error.hpp"
 #include "verdigris/synthesis/turtle_commands.hpp"
 
 namespace verdigris {
@@ -30,6 +33,7 @@ class SpaceTurtle {
   void forward(double distance, bool pen_down) {
     const glm::dvec3 from = at_.pose.position;
     at_.pose.position += distance * at_.pose.heading;
+    for (int k = 0; k < 3; ++k) check_measure("a coordinate", at_.pose.position[k]);
     if (!pen_down) {
       at_.line = no_line;
       return;
@@ -44,7 +48,10 @@ class SpaceTurtle {
   void turn(double degrees) { at_.pose.turn(degrees); }
   void pitch(double degrees) { at_.pose.pitch(degrees); }
   void roll(double degrees) { at_.pose.roll(degrees); }
-  void scale_width(double factor) { at_.width *= factor; }
+  void scale_width(double factor) {
+    at_.width *= factor;
+    check_measure("a width", at_.width);
+  }
   void set_width(double width) { at_.width = width; }
   void push() {
     stack_.push_back(at_);
@@ -72,6 +79,11 @@ class SpaceTurtle {
 };
 
 }  // namespace
+
+void refuse_measure(const char* what, double value) {
+  throw InputError("turtle", fmt::format("{} of the drawing is {}", what, value),
+                   "use smaller numbers in the grammar, a smaller step or fewer iterations");
+}
 
 void TurtlePose::turn(double degrees) {
   turn_towards(heading, left, degrees);

@@ -185,5 +185,19 @@ TEST(SurfaceTurtle, NeverRunsAway) {
   EXPECT_THROW(cells_of(surface, wide), InputError);
 }
 
+TEST(SurfaceTurtle, BoundsSeedsAndTakesNegativeWidthsForNone) {
+  const Surface surface = make_surface(shapes::cube(1.0), {.cell_size = 0.01});
+  SurfaceDrawing drawing =
+      draw_on_surface(surface, word_of("F"), {.step = 0.5, .width = 0.1}, {{0.3, 0.2, 1.0}, {1, 0, 0}});
+  for (double& width : drawing.lines[0].widths) width = -1e300;
+  EXPECT_LE(cells_of(surface, drawing).size(), 101u);
+  for (const Seed& seed : seeds_along(surface, drawing, 0.1)) EXPECT_EQ(seed.weight, 1.0);
+  drawing.lines[0].widths.back() = 0.1;
+  EXPECT_EQ(seeds_along(surface, drawing, 0.1).front().weight, 0.0);
+  const SurfaceDrawing endless =
+      draw_on_surface(surface, word_of(std::string(120, 'F')), {.step = 500.0}, {{0.3, 0.2, 1.0}, {1, 0, 0}});
+  EXPECT_THROW(seeds_along(surface, endless, 0.01), InputError);
+}
+
 }  // namespace
 }  // namespace verdigris

@@ -33,6 +33,9 @@ TEST(LineField, RefusesBadGrammarsAndTooLongWords) {
   const PrimitiveEntry& entry = catalogue.find("lsystem");
   EXPECT_THROW(entry.create({{"grammar", std::string("axiom = F[\n")}}, 1), InputError);
   EXPECT_THROW(entry.create({{"preset", std::string("oak")}}, 1), InputError);
+  EXPECT_THROW(entry.create({{"grammar", std::string("axiom = F(1e300)F(1e300)\nstep = 1e9\n")}}, 1),
+               InputError);
+  EXPECT_THROW(entry.create({{"grammar", std::string("axiom = F(1e-300)\nstep = 1e-9\n")}}, 1), InputError);
   EXPECT_THROW(entry.create({{"preset", std::string("koch-curve")}, {"iterations", 100.0}}, 1), InputError);
 }
 

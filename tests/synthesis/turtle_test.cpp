@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 
 #include "boxes.hpp"
+#include "verdigris/base/error.hpp"
 #include "verdigris/synthesis/lsystem.hpp"
 
 namespace verdigris {
@@ -131,6 +134,27 @@ TEST(Turtle, TernaryTreeHasThreeBranchesOnEachTip) {
   glm::dvec3 sum(0.0);
   for (int k = 1; k < 4; ++k) sum += lines[static_cast<std::size_t>(k)].points[1] - glm::dvec3(0, 1, 0);
   EXPECT_LT(glm::distance(sum, glm::dvec3(0, 3.0 * std::cos(std::numbers::pi / 6.0), 0)), 1e-12);
+}
+
+TEST(Turtle, RefusesMeasuresThatAreNoNumbersOrHuge) {
+  TurtleSettings settings;
+  const auto drawn_with = [&](std::string symbols, std::vector<double> values) {
+    Word word;
+    word.symbols = std::move(symbols);
+    word.values = std::move(values);
+    for (std::uint32_t k = 1; k <= word.symbols.size(); ++k)
+      word.ends.push_back(std::min(k, static_cast<std::uint32_t>(word.values.size())));
+    return draw_word(word, settings);
+  };
+  EXPECT_EQ(drawn_with("F", {1e12}).size(), 1u);
+  EXPECT_THROW(drawn_with("F", {1e13}), InputError);
+  EXPECT_THROW(drawn_with("f", {std::nan("")}), InputError);
+  EXPECT_THROW(drawn_with("FF", {9e11, 9e11}), InputError) << "they add up";
+  EXPECT_THROW(drawn_with("!F", {1e300}), InputError);
+  EXPECT_THROW(drawn_with("+F", {1e300}), InputError);
+  settings.taper = 1e3;
+  EXPECT_THROW(drawn_with("!!!!!F", {}), InputError);
+  EXPECT_EQ(drawn_with("X+F", {1e300}).size(), 1u) << "X does nothing";
 }
 
 }  // namespace

@@ -39,8 +39,8 @@ struct SurfaceDrawing {
 
 /// Draws a word on the surface. Turns are turns about the normal; a turtle that pitches or rolls draws the
 /// shadow of what it would draw in space, straight down on the surface: pitched branches look shorter.
-/// Throws InputError for a surface without triangles, for a start that is not finite, and for lines that
-/// cross edges more than 20 million times.
+/// Throws InputError for a surface without triangles, for a start that is not finite, for lines that cross
+/// edges more than 20 million times, and as draw_word does.
 SurfaceDrawing draw_on_surface(const Surface& surface, const Word& word, const TurtleSettings& settings,
                                const SurfaceStart& start);
 
@@ -59,7 +59,7 @@ std::vector<LineCell> cells_of(const Surface& surface, const SurfaceDrawing& dra
 Field<float> mask_of(const Surface& surface, std::span<const LineCell> cells, float value = 1.0f);
 
 /// Seeds for a behaviour every `spacing` along the lines, from their starts on, each cell once; the weight is
-/// the line's width relative to the widest.
+/// the line's width relative to the widest. Throws InputError where that is more than 5 million points.
 std::vector<Seed> seeds_along(const Surface& surface, const SurfaceDrawing& drawing, double spacing);
 
 }  // namespace verdigris

@@ -48,7 +48,8 @@ struct TurtleLine {
 };
 
 /// Draws a word. In the plane (no pitch, no roll) the lines lie in z = 0. Every bracket that is open at the
-/// end is closed; a `]` without a `[` is skipped (parsed grammars have neither).
+/// end is closed; a `]` without a `[` is skipped (parsed grammars have neither). Throws InputError where a
+/// length, angle, width or coordinate is not finite or beyond 1e12.
 std::vector<TurtleLine> draw_word(const Word& word, const TurtleSettings& settings,
                                   const TurtlePose& start = {});
 

@@ -2,6 +2,7 @@
 // What the symbols of a word tell a turtle, wherever it walks: in space, or on a surface.
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "verdigris/synthesis/turtle.hpp"
@@ -11,10 +12,20 @@ namespace verdigris {
 /// What a symbol does.
 enum class TurtleCommand : std::uint8_t { none, draw, move, back, turn, pitch, roll, width, push, pop };
 
+/// Throws InputError when a measure of a drawing (a length, a width, a coordinate, an angle) is not finite or
+/// beyond 1e12: squares and products of such still are numbers.
+[[noreturn]] void refuse_measure(const char* what, double value);
+inline void check_measure(const char* what, double value) {
+  if (!(std::abs(value) <= 1e12)) refuse_measure(what, value);
+}
+
 /// Tells `turtle` what each symbol says, in model units and degrees. A turtle has
 ///
 ///   forward(distance, pen_down), turn(degrees), pitch(degrees), roll(degrees),
 ///   scale_width(factor), set_width(width), push(), pop()
+///
+/// Throws InputError for lengths, widths and angles that are not finite or beyond 1e12; what a turtle adds up
+/// by itself it checks by itself, with check_measure.
 template <typename Turtle>
 void command_turtle(const Word& word, const TurtleSettings& settings, Turtle& turtle) {
   std::array<TurtleCommand, 256> commands{};
@@ -51,18 +62,23 @@ void command_turtle(const Word& word, const TurtleSettings& settings, Turtle& tu
     switch (command) {
       case TurtleCommand::draw:
       case TurtleCommand::back:
+        check_measure("a length", length);
         turtle.forward(length, true);
         break;
       case TurtleCommand::move:
+        check_measure("a length", length);
         turtle.forward(length, false);
         break;
       case TurtleCommand::turn:
+        check_measure("an angle", angle);
         turtle.turn(angle);
         break;
       case TurtleCommand::pitch:
+        check_measure("an angle", angle);
         turtle.pitch(angle);
         break;
       case TurtleCommand::roll:
+        check_measure("an angle", angle);
         turtle.roll(angle);
         break;
       case TurtleCommand::push:
@@ -72,10 +88,12 @@ void command_turtle(const Word& word, const TurtleSettings& settings, Turtle& tu
         turtle.pop();
         break;
       default:
-        if (values.empty())
+        if (values.empty()) {
           turtle.scale_width(settings.taper);
-        else
+        } else {
+          check_measure("a width", values[0] * settings.width);
           turtle.set_width(values[0] * settings.width);
+        }
     }
   }
 }
