@@ -1,11 +1,9 @@
 #include "verdigris/exposure/surface_field.hpp"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <glm/common.hpp>
-#include <stdexcept>
 
 #include "verdigris/exposure/ghost_values.hpp"
 
@@ -64,16 +62,6 @@ Field<float> field_on_surface(const Surface& surface, const ScalarField& field,
   });
   copy_to_ghosts(surface, values);
   return values;
-}
-
-void stretch_to_unit(Field<float>& values, double low, double high) {
-  if (low == high) throw std::invalid_argument("a stretch of no width");
-  const auto from = static_cast<float>(low);
-  const auto factor = static_cast<float>(1.0 / (high - low));
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, values.size(), 65536), [&](const auto& range) {
-    for (std::size_t k = range.begin(); k < range.end(); ++k)
-      values[k] = std::clamp((values[k] - from) * factor, 0.0f, 1.0f);
-  });
 }
 
 }  // namespace verdigris

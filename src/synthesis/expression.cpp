@@ -73,10 +73,6 @@ double Expression::operator()(std::span<const double> parameters) const {
   return stack[0];
 }
 
-bool Expression::constant() const {
-  return std::none_of(steps_.begin(), steps_.end(), [](const Step& s) { return s.code == Code::parameter; });
-}
-
 // Recursive descent, a function for each strength of operator.
 class ExpressionParser {
  public:

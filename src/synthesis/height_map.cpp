@@ -27,9 +27,4 @@ HeightMap sample_heights(const ScalarField& field, int width, int height, double
   return map;
 }
 
-ValueRange value_range(const HeightMap& map) {
-  const auto [least, greatest] = std::minmax_element(map.values.begin(), map.values.end());
-  return {*least, *greatest, true};
-}
-
 }  // namespace verdigris

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <stdexcept>
 
 #include "verdigris/io/read_mesh.hpp"
 #include "verdigris/synthesis/builtin.hpp"
@@ -62,15 +61,6 @@ TEST(SurfaceField, IsTheSameForAnyNumberOfThreads) {
     fields[k] = field_on_surface(surface, *fbm);
   }
   EXPECT_EQ(fields[0], fields[1]);
-}
-
-TEST(SurfaceField, StretchesToUnit) {
-  Field<float> values{-1.0f, 0.0f, 0.5f, 3.0f};
-  stretch_to_unit(values, 0.0, 1.0);
-  EXPECT_EQ(values, (Field<float>{0.0f, 0.0f, 0.5f, 1.0f}));
-  stretch_to_unit(values, 1.0, 0.0);
-  EXPECT_EQ(values, (Field<float>{1.0f, 1.0f, 0.5f, 0.0f}));
-  EXPECT_THROW(stretch_to_unit(values, 1.0, 1.0), std::invalid_argument);
 }
 
 }  // namespace

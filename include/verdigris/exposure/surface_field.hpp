@@ -4,6 +4,7 @@
 #include "verdigris/automaton/behaviour.hpp"
 #include "verdigris/surface/surface.hpp"
 #include "verdigris/synthesis/scalar_field.hpp"
+#include "verdigris/synthesis/stretch_to_unit.hpp"
 
 namespace verdigris {
 
@@ -17,9 +18,5 @@ struct FieldPlacement {
 /// other slots hold 0. Detail finer than two cells is left out. The same bits for any number of threads.
 Field<float> field_on_surface(const Surface& surface, const ScalarField& field,
                               const FieldPlacement& placement = {});
-
-/// [slot] 0 where a value is `low` or less, 1 where it is `high` or more, in proportion between; low may be
-/// the greater one. Throws std::invalid_argument when they are equal.
-void stretch_to_unit(Field<float>& values, double low, double high);
 
 }  // namespace verdigris

@@ -22,9 +22,6 @@ class Expression {
   /// Its value for these parameters. Never throws; what has no value (1 / 0) is not finite.
   double operator()(std::span<const double> parameters) const;
 
-  /// True when it is a number whatever the parameters.
-  bool constant() const;
-
  private:
   friend class ExpressionParser;
   enum class Code : std::uint8_t {

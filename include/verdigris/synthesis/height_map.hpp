@@ -26,7 +26,4 @@ struct HeightMap {
 /// number of threads. Throws std::invalid_argument for less than one sample.
 HeightMap sample_heights(const ScalarField& field, int width, int height, double section);
 
-/// Least and greatest value.
-ValueRange value_range(const HeightMap& map);
-
 }  // namespace verdigris
