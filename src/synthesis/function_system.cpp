@@ -17,6 +17,9 @@ namespace verdigris {
 namespace {
 
 constexpr std::size_t chain_length = 1024;
+// A search for a distance looks at a hundred images or so, 25,000 at worst round a fern; at more only where
+// images overlap almost wholly.
+constexpr int most_images = 40'000;
 constexpr std::uint32_t chaos_purpose = 0x1F5u;
 
 // Where a map leaves a point alone; contractions have one such point.
@@ -111,7 +114,8 @@ AttractorDistance::AttractorDistance(const FunctionSystem& system, double tolera
 }
 
 double AttractorDistance::operator()(const glm::dvec3& p, double most) const {
-  // Depth first, the nearest image first; what cannot be nearer than the best is left out.
+  // Depth first, the nearest image first; what cannot be nearer than the best by more than the tolerance is
+  // left out.
   struct Image {
     AffineMap map;
     double nearest;  // no point of it is nearer
@@ -122,11 +126,12 @@ double AttractorDistance::operator()(const glm::dvec3& p, double most) const {
   };
   open.push_back(image({}));
   double best = most;
+  int looked_at = 0;
   while (!open.empty()) {
     const Image here = open.back();
     open.pop_back();
-    if (here.nearest >= best) continue;
-    if (here.map.weight * ball_.radius <= tolerance_) {
+    if (here.nearest >= best - tolerance_) continue;
+    if (here.map.weight * ball_.radius <= tolerance_ || ++looked_at > most_images) {
       best = std::min(best, glm::distance(here.map(point_), p));
       continue;
     }

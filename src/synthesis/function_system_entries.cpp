@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "entries.hpp"
 #include "grid_field.hpp"
@@ -47,6 +48,13 @@ class NearnessField final : public ScalarField {
   Window window_;
 };
 
+std::unique_ptr<ScalarField> nearness_field(const FunctionSystem& system, double falloff) {
+  const Ball ball = attractor_ball(system);
+  // A set may be a single point.
+  const double least = 1e-9 * (1.0 + glm::length(ball.centre));
+  return std::make_unique<NearnessField>(system, std::max(falloff * ball.radius, least));
+}
+
 // How often the chaos game visits the squares of a grid, on a logarithmic scale.
 std::unique_ptr<ScalarField> density_field(const FunctionSystem& system, int side, double samples,
                                            std::uint64_t seed) {
@@ -59,11 +67,12 @@ std::unique_ptr<ScalarField> density_field(const FunctionSystem& system, int sid
   const double extent = 1.05 * std::max({high.x - low.x, high.y - low.y, 1e-9});
   const glm::dvec2 origin = 0.5 * (low + high) - 0.5 * extent;
   std::vector<double> counts(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 0.0);
-  for (const glm::dvec3& p : points) {
-    const auto column = static_cast<std::size_t>((p.x - origin.x) / extent * (side - 1) + 0.5);
-    const auto row = static_cast<std::size_t>((p.y - origin.y) / extent * (side - 1) + 0.5);
-    counts[row * static_cast<std::size_t>(side) + column] += 1.0;
-  }
+  // Far from the origin points are coarser than the squares of a small set: some would miss the grid.
+  const auto nearest = [&](double along) {
+    return static_cast<std::size_t>(std::clamp(along / extent, 0.0, 1.0) * (side - 1) + 0.5);
+  };
+  for (const glm::dvec3& p : points)
+    counts[nearest(p.y - origin.y) * static_cast<std::size_t>(side) + nearest(p.x - origin.x)] += 1.0;
   for (double& count : counts) count = std::log1p(count);
   auto field = std::make_unique<synthesis::GridField>(synthesis::to_unit_range(counts), side, side,
                                                       synthesis::Beyond::zero);
@@ -87,8 +96,7 @@ struct FunctionSystemParameters {
   }
   std::unique_ptr<ScalarField> field(const FunctionSystem& system, std::uint64_t seed,
                                      const std::string& owner) const {
-    if (measure == "distance")
-      return std::make_unique<NearnessField>(system, falloff * attractor_ball(system).radius);
+    if (measure == "distance") return nearness_field(system, falloff);
     if (system.dimension != 2)
       throw InputError(owner + ".measure", "densities are of sets in the plane", "choose distance");
     return density_field(system, (1 << levels) + 1, samples, seed);

@@ -16,6 +16,7 @@ constexpr const char* form =
     "write 6 numbers a b c d e f for (a x + b y + e, c x + d y + f), or 12 in space: three rows of three "
     "factors and an offset; one more is the weight";
 constexpr std::size_t most_maps = 1000;
+constexpr double most_offset = 1e6;
 
 class MapParser {
  public:
@@ -90,6 +91,10 @@ class MapParser {
     if (weighted && !(n.back() > 0.0))
       fault(at, fmt::format("weight {} is not positive", n.back()), "give a weight greater than 0");
     map.weight = weighted ? n.back() : 0.0;
+    for (int k = 0; k < 3; ++k)
+      if (!(std::abs(map.offset[k]) <= most_offset))
+        fault(at, fmt::format("the map moves points by {}", map.offset[k]),
+              fmt::format("give offsets of at most {}", most_offset));
     const double s = stretch(map.linear);
     if (!(s < 0.999))
       fault(at, fmt::format("the map stretches lengths by up to {:.4g}", s),

@@ -118,11 +118,36 @@ TEST(FunctionSystem, FaultsAreSaidWithTheirPlace) {
   expect("0.5 0 0 1.5 0 0", "maps:1:1: the map stretches");
   expect("0.5 0 0 0.5 0 0; .5 0 0 0 0 .5 0 0 0 0 .5 0", "maps:1:18: maps of the plane");
   expect("0.5 0 0 0.5 0 0 -1", "maps:1:1: weight");
+  expect("0.5 0 0 0.5 1e308 0", "maps:1:1: the map moves points by 1e+308");
+  expect("0.5 0 0 0 0 0.5 0 0 0 0 0.5 -1000001", "maps:1:1: the map moves points by -1000001");
   expect("1 2 3 4 5 6 7 8 9 10 11 12 13 14", "maps:1:31: too many");
   EXPECT_THROW(named_function_system("fern"), InputError);
   const auto catalogue = builtin_primitives();
   EXPECT_THROW(catalogue.find("ifs").create({{"maps", std::string("1 1")}}, 1), InputError);
   EXPECT_THROW(catalogue.find("menger-sponge").create({{"measure", std::string("density")}}, 1), InputError);
+}
+
+TEST(FunctionSystem, SetsMayBeOnePointFarAway) {
+  const PrimitiveCatalogue catalogue = builtin_primitives();
+  for (const char* measure : {"distance", "density"}) {
+    const auto field = catalogue.find("ifs").create({{"maps", std::string("0.998 0.01 -0.01 0.998 1e6 -7e5")},
+                                                     {"measure", std::string(measure)},
+                                                     {"samples", 1e4}},
+                                                    1);
+    const Window window = field->window();
+    const glm::dvec3 middle = 0.5 * (window.lower + window.upper);
+    EXPECT_TRUE(std::isfinite(field->at({middle, 0.0}))) << measure;
+  }
+}
+
+TEST(FunctionSystem, SearchesAmongOverlappingImagesEnd) {
+  // At each of some 400 levels all three images hold nearly all of the set.
+  const AttractorDistance distance(
+      parse_function_system("0.98 0 0 0.98 0 0; 0.98 0 0 0.98 0.02 0; 0.98 0 0 0.98 0 0.02", "maps"), 4e-4);
+  // The set is the triangle of the fixed points (0, 0), (1, 0), (0, 1).
+  EXPECT_NEAR(distance({0.3, 0.3, 0.0}, 10.0), 0.0, 0.02);
+  EXPECT_NEAR(distance({0.3, -0.5, 0.0}, 10.0), 0.5, 0.02);
+  EXPECT_NEAR(distance({1.0, 1.0, 0.0}, 10.0), std::sqrt(0.5), 0.02);
 }
 
 TEST(FunctionSystem, FieldsAreOneOnTheSet) {

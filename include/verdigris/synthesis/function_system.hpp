@@ -55,10 +55,11 @@ std::vector<glm::dvec3> chaos_game(const FunctionSystem& system, std::size_t cou
 /// Distances to the attractor, by search through the images of its ball.
 class AttractorDistance {
  public:
-  /// Distances are those to points of the attractor that leave no part of it farther away than `tolerance`.
+  /// Distances are those to points of the attractor, and too great by twice `tolerance` at most.
   AttractorDistance(const FunctionSystem& system, double tolerance);
 
-  /// The distance of `p`, or `most` if it is greater.
+  /// The distance of `p`, or `most` if it is greater. Where maps overlap so much that a search would not end,
+  /// the distance of the nearest point found among 40,000 images: too great, if anything.
   double operator()(const glm::dvec3& p, double most) const;
   const Ball& ball() const { return ball_; }
 
