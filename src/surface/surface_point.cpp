@@ -18,7 +18,8 @@ SurfacePoint nearest_point(const Surface& surface, const glm::dvec3& p) {
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const glm::dvec3 on = nearest_on_triangle(p, mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
     const double distance = glm::length(p - on);
-    if (distance >= least) continue;
+    // It is not a number for triangles with two corners in one place.
+    if (!(distance < least)) continue;
     least = distance;
     best = {t, surface.frame(t).to_plane(on)};
   }

@@ -4,6 +4,7 @@
 
 #include "shapes.hpp"
 #include "verdigris/surface/surface.hpp"
+#include "verdigris/surface/surface_point.hpp"
 
 using namespace verdigris;
 
@@ -53,6 +54,15 @@ TEST(Locate, ReachesPastTrianglesThatOwnNoCell) {
   const Surface s = make_surface(m, {.cell_size = 0.5});
   const glm::dvec3 p{0.05, 0.01, 0.0};
   EXPECT_TRUE(s.is_owned(locate(s, std::span(&p, 1))[0].slot));
+}
+
+TEST(NearestPoint, IsNotLostToTrianglesWithoutArea) {
+  // The first has two corners in one place, and `p` is beside it.
+  Mesh m = shapes::square(1.0);
+  m.triangles.insert(m.triangles.begin(), {0, 0, 1});
+  const Surface s = make_surface(m, {.cell_size = 0.1});
+  const SurfacePoint at = nearest_point(s, {0.5, 0.25, 0.5});
+  EXPECT_LT(glm::distance(s.frame(at.triangle).to_model(at.point), glm::dvec3(0.5, 0.25, 0.0)), 1e-12);
 }
 
 }  // namespace
