@@ -15,3 +15,5 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/verdigrisConfigVersion.cm
 install(FILES ${PROJECT_BINARY_DIR}/verdigrisConfig.cmake ${PROJECT_BINARY_DIR}/verdigrisConfigVersion.cmake
   DESTINATION ${VERDIGRIS_CONFIG_DIR})
 install(FILES LICENSE README.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# Beside the models they name.
+install(DIRECTORY presets DESTINATION ${CMAKE_INSTALL_DATADIR}/verdigris FILES_MATCHING PATTERN "*.toml")

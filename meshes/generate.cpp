@@ -14,6 +14,7 @@
 #include "cup.hpp"
 #include "sheet.hpp"
 #include "solids.hpp"
+#include "statues.hpp"
 #include "terrain.hpp"
 
 namespace verdigris::meshes {
@@ -39,6 +40,10 @@ std::vector<Model> models() {
       {"cylinder", "fine cylinder of long thin triangles, radius 0.02, length 2, closed",
        make_cylinder(0.02, 2.0, 12), 48, true, 2},
       {"terrain", "eroded mountains, 65 x 65 heights, metres, y up, open", make_terrain(), 8192, false, 1},
+      {"anchor", "admiralty anchor, closed, metres, y up", make_anchor(), 9728, true, 0},
+      {"bust", "bust on a pedestal, closed, decimetres, y up", make_bust(), 15716, true, 2},
+      {"roof", "gabled roof with standing seams and a chimney, closed, metres, y up", make_roof(), 1276, true,
+       2},
   };
 }
 

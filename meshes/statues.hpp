@@ -1,0 +1,16 @@
+#pragma once
+
+#include "verdigris/mesh/mesh.hpp"
+
+namespace verdigris::meshes {
+
+/// An admiralty anchor hanging upright: ring, stock, shank, arms and flukes; metres, y up, closed.
+Mesh make_anchor();
+
+/// The bust of a woman with a bun on a pedestal with ledges, without features: decimetres, y up, closed.
+Mesh make_bust();
+
+/// A gabled roof of sheet metal with standing seams and a chimney, on a slab: metres, y up, closed.
+Mesh make_roof();
+
+}  // namespace verdigris::meshes
