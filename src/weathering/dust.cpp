@@ -105,12 +105,13 @@ struct Stain {
                               *summary = "lets rain wash corrosion products down and leave streaks";
   static std::vector<std::string> masks() { return {"source"}; }
   std::string layer;
-  double amount = 3.0, reach = 0.25, meander = 12.0, gusts = 20.0, source_from = 2.0;
+  double amount = 3.0, most = 40.0, reach = 0.25, meander = 12.0, gusts = 20.0, source_from = 2.0;
 
   template <typename V>
   void parameters(V&& v) {
     v("layer", layer, {}, "the product that is washed off; empty: the uppermost one");
     v("amount", amount, 0.0, 1e4, "um", "mean thickness laid down, over cells that have any");
+    v("most", most, 0.0, 1e5, "um", "greatest thickness of the stain; what comes more is washed off");
     v("reach", reach, 1e-3, 100.0, "1", "in which water lays down 63 %, in parts of the model's diagonal");
     v("meander", meander, 0.0, 60.0, "degrees", "how far roughness turns water aside; it makes rivulets");
     v("gusts", gusts, 0.0, 89.0, "degrees", "half the opening of the cone that rain comes in");
@@ -151,7 +152,8 @@ struct Stain {
     Coat& coat = loose_coat(metal, layer_of_stain);
     const double scale = sum > 0.0 ? amount * static_cast<double>(stained) / sum : 0.0;
     each_owned(surface, [&](std::uint32_t slot) {
-      const double laid = scale * static_cast<double>(water.stain[slot]);
+      const double room = std::max(0.0, most - static_cast<double>(coat.thickness[slot]));
+      const double laid = std::min(room, scale * static_cast<double>(water.stain[slot]));
       coat.thickness[slot] += static_cast<float>(laid);
       report.added += laid;
     });
