@@ -31,7 +31,7 @@ VARIANTS = {
     "sierpinski-tetrahedron": [(["--section", "0.2"], "section 0.2")],
     "menger-sponge": [(["--section", "0.5"], "section 0.5")],
     "mandelbrot": [(["--centre_x", "-0.7436", "--centre_y", "0.1318", "--extent", "0.006"],
-                    "centre -0.7436, 0.1318, extent 0.006")],
+                    "extent 0.006 at -0.744, 0.132")],
     "julia": [(["--c_x", "-0.4", "--c_y", "0.6"], "c -0.4 + 0.6 i")],
     "lsystem": [(["--preset", name], f"preset {name}") for name in ("hilbert", "dragon", "cracks")],
 }

@@ -7,7 +7,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "idle_options.hpp"
 #include "model.hpp"
+#include "thread_option.hpp"
 #include "verdigris/base/error.hpp"
 #include "verdigris/exposure/surface_turtle.hpp"
 #include "verdigris/io/read_lsystem.hpp"
@@ -22,7 +24,7 @@ namespace {
 
 struct Options {
   std::string name, out, on, seed_points;
-  int iterations = -1;
+  int iterations = -1, threads = 0;
   double angle = 0.0, step = 0.0, extent = 0.0, width = 0.0, spacing = 0.0;
   std::uint64_t seed = 1;
   bool tubes = false, word = false, json = false, quiet = false;
@@ -102,8 +104,32 @@ std::vector<Polyline> on_model(const LSystem& system, const Word& word, const Op
   return lines;
 }
 
+std::string ending_of(const std::string& file) {
+  return std::filesystem::path(file).extension().string();
+}
+
+// What cannot be is said before anything is drawn or written.
+void check(const Options& options, const CLI::App& command) {
+  if (options.on.empty())
+    refuse_idle(command,
+                {"--seed-points", "--at", "--heading", "--cells", "--cell-size", "--links", "--mend"},
+                "there is no model to draw on", "name one with --on, or leave it out");
+  if (options.seed_points.empty())
+    refuse_idle(command, {"--spacing"}, "no points along the lines are asked for",
+                "name a file for them with --seed-points, or leave it out");
+  const std::string ending = ending_of(options.out);
+  if (options.tubes && !options.out.empty() && ending != ".obj" && ending != ".ply")
+    throw InputError("--out", fmt::format("tubes are not written as '{}'", options.out),
+                     "give a name that ends in .obj or .ply");
+  if (!options.tubes && ending != ".ply")
+    refuse_idle(command, {"--sides"}, "lines have no sides", "ask for --tubes, or leave it out");
+  if (!options.out.empty() && ending != ".svg" && ending != ".obj" && ending != ".vtp" && ending != ".ply")
+    throw InputError("--out", fmt::format("'{}' is no format of drawings", ending),
+                     "give a name that ends in .svg, .obj, .vtp or .ply");
+}
+
 void write(const Options& options, const std::vector<Polyline>& lines, Report& report) {
-  const std::string ending = std::filesystem::path(options.out).extension().string();
+  const std::string ending = ending_of(options.out);
   if (options.tubes || ending == ".ply") {
     std::vector<TurtleLine> drawn;
     for (const Polyline& line : lines) drawn.push_back({line.points, line.widths, line.generation});
@@ -117,11 +143,8 @@ void write(const Options& options, const std::vector<Polyline>& lines, Report& r
     write_lines_obj(options.out, lines);
   } else if (ending == ".vtp") {
     write_lines_vtp(options.out, lines);
-  } else if (ending == ".svg") {
-    write_lines_svg(options.out, lines);
   } else {
-    throw InputError("--out", fmt::format("'{}' is no format of drawings", ending),
-                     "give a name that ends in .svg, .obj, .vtp or .ply");
+    write_lines_svg(options.out, lines);
   }
 }
 
@@ -153,6 +176,8 @@ void print(const Options& options, const LSystem& system, const Report& r) {
 }
 
 void run(Options& options, const CLI::App& command) {
+  check(options, command);
+  const ThreadLimit threads(options.threads);
   LSystem system = load(options, command);
   const Word word = rewrite(system.grammar, system.iterations, options.seed);
   if (options.word) {
@@ -160,7 +185,10 @@ void run(Options& options, const CLI::App& command) {
     return;
   }
   if (options.out.empty())
-    options.out = !options.on.empty() ? "lsystem.vtp" : leaves_plane(word) ? "lsystem.obj" : "lsystem.svg";
+    options.out = options.tubes         ? "lsystem.obj"
+                  : !options.on.empty() ? "lsystem.vtp"
+                  : leaves_plane(word)  ? "lsystem.obj"
+                                        : "lsystem.svg";
   Report report;
   report.symbols = word.size();
   std::vector<Polyline> lines;
@@ -172,8 +200,6 @@ void run(Options& options, const CLI::App& command) {
     scale(system, word, options, command, 0.5 * glm::distance(bounds.lower, bounds.upper));
     lines = on_model(system, word, options, surface, report);
   } else {
-    if (!options.seed_points.empty())
-      throw InputError("--seed-points", "they lie on a model", "say which with --on MODEL");
     scale(system, word, options, command, 0.0);
     for (TurtleLine& line : draw_word(word, system.turtle))
       lines.push_back({std::move(line.points), std::move(line.widths), {}, line.generation});
@@ -240,6 +266,7 @@ void add_lsystem(CLI::App& app) {
       ->type_name("LENGTH")
       ->check(length);
   add_surface_options(*command, options->scene, options->surface);
+  add_thread_option(*command, options->threads);
   command->add_flag("--word", options->word, "Only print the word");
   command->add_flag("--json", options->json, "Report as one JSON object on standard output");
   command->add_flag("--quiet,-q", options->quiet, "No report");

@@ -88,7 +88,7 @@ TEST(LSystemCommand, WalksOnModelsAndSeedsGrowth) {
 TEST(LSystemCommand, TheSeedMakesTheDrawing) {
   const Workplace place;
   const auto draw = [&](const char* seed) {
-    report_of({"stochastic-plant", "--seed", seed, "-o", place.path("plant.svg")});
+    report_of({"stochastic-plant", "--threads", "1", "--seed", seed, "-o", place.path("plant.svg")});
     return content_of(place.path("plant.svg"));
   };
   const std::string one = draw("1");
@@ -113,11 +113,24 @@ TEST(LSystemCommand, RefusesWhatItCannotUse) {
   expect({"koch-curve", "--step", "0"}, "--step");
   expect({"koch-curve", "--step", "1", "--extent", "1"}, "--extent");
   expect({"koch-curve", "--seed-points", place.path("seeds.txt")}, "--seed-points");
+  expect({"koch-curve", "--at", "1,2,3"}, "--at");
+  expect({"koch-curve", "--heading", "1,2,3"}, "--heading");
+  expect({"koch-curve", "--cells", "1k"}, "--cells");
+  expect({"koch-curve", "--sides", "5"}, "--sides");
+  expect({"koch-curve", "--on", cube, "--spacing", "1"}, "--spacing");
   expect({"koch-curve", "--on", place.path("none.obj")}, "none.obj");
   expect({"koch-curve", "--on", cube, "--at", "1,2"}, "--at");
   expect({"koch-curve", "--on", cube, "--at", "1,2,nan"}, "--at");
   expect({"koch-curve", "--tubes", "--sides", "2"}, "--sides");
   expect({"koch-curve", "--tubes"}, ".obj or .ply");
+  const std::string huge = place.file("huge.txt", "axiom = F(1e300)F(1e300)\nstep = 1e9\n");
+  expect({huge}, "turtle");
+  expect({huge, "--on", cube}, "turtle");
+  expect_refused(verdigris({"lsystem", huge, "--tubes", "-o", place.path("huge.obj")}), "turtle",
+                 place.path("huge.obj"));
+  expect_refused(verdigris({"lsystem", "koch-curve", "--on", cube, "--seed-points", place.path("points.txt"),
+                            "-o", place.path("koch.png")}),
+                 ".png", place.path("points.txt"));
   expect_refused(verdigris({"lsystem", "koch-curve", "-o", place.path("koch.png")}), ".png",
                  place.path("koch.png"));
   expect_refused(verdigris({"lsystem", "koch-curve", "-o", place.path("no/koch.svg")}), "koch.svg",

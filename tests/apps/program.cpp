@@ -85,5 +85,6 @@ void expect_refused(const Outcome& outcome, const std::string& place, const fs::
               outcome.err.find("--help") != std::string::npos)
       << outcome.err;
   EXPECT_TRUE(!fs::is_directory(out) || fs::is_empty(out)) << "left something in " << out;
+  EXPECT_FALSE(fs::is_regular_file(out)) << "left " << out;
   fs::remove_all(out);
 }
