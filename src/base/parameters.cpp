@@ -17,13 +17,19 @@ std::string joined(const Names& names) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+// "voronoi.corner"; an option stands for itself.
+std::string place_of(std::string_view owner, const std::string& name) {
+  return owner.starts_with("--") ? std::string(owner) : fmt::format("{}.{}", owner, name);
+}
+
 void check_number(const std::string& where, const ParameterInfo& info, double value) {
   if (!(value >= info.least && value <= info.greatest))
-    throw InputError(where, fmt::format("{} is out of range", value),
-                     fmt::format("give a value from {} to {} ({})", info.least, info.greatest, info.help));
+    throw InputError(
+        where, fmt::format("{} is out of range", value),
+        fmt::format("give a value from {:g} to {:g} ({})", info.least, info.greatest, info.help));
   if (info.integer && value != std::floor(value))
     throw InputError(where, fmt::format("{} is not a whole number", value),
-                     fmt::format("give a whole number from {} to {}", info.least, info.greatest));
+                     fmt::format("give a whole number from {:g} to {:g}", info.least, info.greatest));
 }
 
 void check_text(const std::string& where, const ParameterInfo& info, const std::string& value) {
@@ -47,8 +53,8 @@ ParameterValue parse_parameter(std::string_view owner, const ParameterInfo& info
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size())
-    throw InputError(fmt::format("{}.{}", owner, info.name), fmt::format("'{}' is not a number", text),
-                     fmt::format("give a number from {} to {}", info.least, info.greatest));
+    throw InputError(place_of(owner, info.name), fmt::format("'{}' is not a number", text),
+                     fmt::format("give a number from {:g} to {:g}", info.least, info.greatest));
   check_parameters(owner, {info}, {{info.name, value}});
   return value;
 }
@@ -59,7 +65,7 @@ void check_parameters(std::string_view owner, const std::vector<ParameterInfo>& 
     const std::string& name = given.first;
     const auto info =
         std::find_if(known.begin(), known.end(), [&](const ParameterInfo& p) { return p.name == name; });
-    const std::string where = fmt::format("{}.{}", owner, name);
+    const std::string where = place_of(owner, name);
     if (info == known.end()) {
       std::vector<std::string> names;
       for (const ParameterInfo& p : known) names.push_back(p.name);
@@ -71,7 +77,7 @@ void check_parameters(std::string_view owner, const std::vector<ParameterInfo>& 
           where,
           fmt::format("'{}' is not a {}", parameter_text(given.second), info->is_text() ? "text" : "number"),
           info->is_text() ? "put it in quotes"
-                          : fmt::format("give a number from {} to {}", info->least, info->greatest));
+                          : fmt::format("give a number from {:g} to {:g}", info->least, info->greatest));
     if (info->is_text())
       check_text(where, *info, std::get<std::string>(given.second));
     else

@@ -1,17 +1,20 @@
 #include "verdigris/surface/halo.hpp"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <stdexcept>
 
 #include "patch_ghosts.hpp"
+#include "verdigris/base/error.hpp"
 
 namespace verdigris {
 
 namespace {
 
 constexpr std::size_t patches_a_task = 64;
+constexpr double most_around = 100.0;  // halo cells for each cell: minutes at a million cells
 
 struct Finder {
   const Surface& surface;
@@ -102,6 +105,19 @@ Halo::Halo(const Surface& surface, unsigned reach) : surface_(surface), reach_(r
                       static_cast<std::int32_t>(reach)};
   const std::size_t count = surface.patch_count(), tasks = (count + patches_a_task - 1) / patches_a_task;
   patches_.resize(count + 1);
+  // Around triangles much smaller than the reach there is far more halo than surface.
+  double around = 0.0;
+  for (std::uint32_t p = 0; p < count; ++p) {
+    const Patch raster = finder.raster(p);
+    around += static_cast<double>(raster.width) * raster.height;
+  }
+  const double cells = static_cast<double>(surface.owned_count());
+  if (around > most_around * cells || around * sizeof(HaloCell) > 8e9)
+    throw InputError(
+        "range",
+        fmt::format("{} cells reach over so many triangles that {:.0f} cells would be kept for each one",
+                    reach, around / cells),
+        "use a smaller range, smaller cells (--cells), or a model of larger triangles");
   std::vector<std::vector<HaloCell>> found(tasks);
   tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
     for (std::size_t p = task * patches_a_task; p < std::min(count, (task + 1) * patches_a_task); ++p) {
@@ -116,7 +132,6 @@ Halo::Halo(const Surface& surface, unsigned reach) : surface_(surface), reach_(r
   for (std::size_t task = 0; task < tasks; ++task) {
     for (std::size_t p = task * patches_a_task; p < std::min(count, (task + 1) * patches_a_task); ++p) {
       patches_[p].begin += cells_.size();
-      largest_ = std::max(largest_, std::size_t{patches_[p].width} * patches_[p].height);
     }
     cells_.insert(cells_.end(), found[task].begin(), found[task].end());
     found[task] = {};

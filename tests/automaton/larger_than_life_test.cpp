@@ -126,6 +126,12 @@ TEST(Halo, CoversWhatIsInReachOnAClosedSurface) {
   }
 }
 
+TEST(Halo, RefusesTrianglesFarSmallerThanItsReach) {
+  const Surface s = make_surface(shapes::torus(3, 1, 90, 60), {.cell_size = 0.12});
+  EXPECT_THROW(Halo(s, 10), InputError);
+  EXPECT_NO_THROW(Halo(s, 1));
+}
+
 std::vector<std::int32_t> alive_after(const Surface& s, const std::string& rule, std::size_t threads,
                                       int steps, int restart_at) {
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);

@@ -30,8 +30,9 @@ class Halo {
     std::uint32_t width, height;  ///< 0 for a patch without cells
   };
 
-  /// The surface must outlive it. Throws std::invalid_argument unless links are unfolded and reach is 1 or
-  /// more.
+  /// The surface must outlive it. Throws InputError when triangles are so small beside the reach that more
+  /// than a hundred halo cells came on each cell or 8 GB in all, std::invalid_argument unless links are
+  /// unfolded and reach is 1 or more.
   Halo(const Surface& surface, unsigned reach);
 
   const Surface& surface() const { return surface_; }
@@ -40,7 +41,6 @@ class Halo {
   std::span<const HaloCell> cells(std::size_t p) const {
     return {cells_.data() + patches_[p].begin, cells_.data() + patches_[p + 1].begin};
   }
-  std::size_t largest_raster() const { return largest_; }
   std::size_t bytes() const { return patches_.size() * sizeof(Patch) + cells_.size() * sizeof(HaloCell); }
 
  private:
@@ -48,7 +48,6 @@ class Halo {
   unsigned reach_;
   std::vector<Patch> patches_;  // one more at the end
   std::vector<HaloCell> cells_;
-  std::size_t largest_ = 0;
 };
 
 }  // namespace verdigris
