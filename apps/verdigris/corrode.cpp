@@ -117,10 +117,13 @@ void add_corrosion_options(CLI::App& command, Options& options) {
       ->type_name("X")
       ->check(CLI::Range(0.0, 1e9))
       ->capture_default_str();
-  command.add_option("--unit", plan.unit_mm, "Length of a model unit in millimetres, for the relief")
+  command
+      .add_option(
+          "--unit", plan.unit_mm,
+          "Length of a model unit in millimetres, for the relief (default: 1 for a model of 10 units and "
+          "more, else 1000)")
       ->type_name("MM")
-      ->check(CLI::Range(1e-9, 1e12))
-      ->capture_default_str();
+      ->check(CLI::Range(1e-9, 1e12));
   command.add_flag("--holes", plan.holes, "Draw nothing where no metal is left");
   command.add_flag("--no-occlusion", options.no_occlusion, "Light hollows as if they were open: quicker");
 }

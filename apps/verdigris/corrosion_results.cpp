@@ -39,11 +39,17 @@ Material prepare_corrosion(Scene& scene) {
   return material;
 }
 
+double guessed_unit_mm(const Mesh& mesh) {
+  const Bounds bounds = mesh_bounds(mesh);
+  const glm::dvec3 size = bounds.upper - bounds.lower;
+  return std::max({size.x, size.y, size.z}) >= 10.0 ? 1.0 : 1000.0;
+}
+
 std::vector<CorrosionNumbers> corrosion_history(const CorrosionGrowth& growth, const Material& material,
                                                 const CorrosionPlan& plan) {
   CorrosionStatistics statistics(scale_of(material, exposure_class_named(plan.exposure), plan.step_years));
   std::vector<CorrosionNumbers> numbers;
-  const std::uint64_t last = growth.steps(), every = std::max<std::uint64_t>(1, last / 60);
+  const std::uint64_t last = growth.steps(), every = std::max<std::uint64_t>(1, last / 30);
   for (std::uint64_t step = 0; step <= last; ++step)
     numbers.push_back(statistics.measure_at(growth, step, step % every == 0 || step == last));
   return numbers;

@@ -17,7 +17,11 @@
 /// completed. Throws InputError.
 verdigris::Material prepare_corrosion(verdigris::Scene& scene);
 
-/// [step] the numbers of all steps from 0, spots at some sixty of them.
+/// The unit of the model in millimetres, where the plan does not say: models of millimetres are rarely
+/// smaller than ten of them, models of metres rarely larger.
+double guessed_unit_mm(const verdigris::Mesh& mesh);
+
+/// [step] the numbers of all steps from 0, spots at some thirty of them.
 std::vector<verdigris::CorrosionNumbers> corrosion_history(const verdigris::CorrosionGrowth& growth,
                                                            const verdigris::Material& material,
                                                            const verdigris::CorrosionPlan& plan);

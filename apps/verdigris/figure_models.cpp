@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <ctime>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numeric>
 
 #include "verdigris/picture/normals.hpp"
 #include "verdigris/picture/palette.hpp"
 #include "verdigris/picture/regions.hpp"
+#include "verdigris/surface/walk.hpp"
 
 using namespace verdigris;
 
@@ -43,13 +45,14 @@ FigureModel::FigureModel(Mesh mesh, double cells, const char* view, int width, i
 
 Panel FigureModel::triangles(const std::string& caption) {
   std::vector<Rgba8> colours(surface.slot_count(), ink);
-  // A cell that touches a slot of no owned cell lies at an edge.
-  std::vector<bool> owned(surface.slot_count(), false);
-  for_owned(surface, [&](std::uint32_t, std::uint32_t slot) { owned[slot] = true; });
   for_owned(surface, [&](std::uint32_t row, std::uint32_t slot) {
-    const Row &here = surface.rows()[row], &above = surface.rows()[row + 1], &below = surface.rows()[row - 1];
-    const std::uint32_t column = slot - here.base, up = above.base + column, down = below.base + column;
-    if (owned[slot - 1] && owned[slot + 1] && owned[up] && owned[down]) colours[slot] = light_cell;
+    const std::uint32_t patch = surface.patch_of_row(row);
+    const glm::dvec2 p = surface.centre(surface.grid_row(patch, row),
+                                        static_cast<std::int32_t>(slot - surface.rows()[row].base));
+    double inside = 1e300;
+    for (int k = 0; k < 3; ++k) inside = std::min(inside, -beyond_edge(surface.frame(patch), k, p));
+    const auto share = static_cast<float>(std::clamp(inside / surface.cell_size() - 0.6, 0.0, 1.0));
+    colours[slot] = from_linear(glm::mix(to_linear(ink), to_linear(light_cell), share));
   });
   show_on_ghosts(surface, colours);
   Panel panel{caption, renderer.draw(colours, camera)};

@@ -153,6 +153,7 @@ int run_job(Scene scene, const RunOptions& options) {
 
   progress.stage("reading");
   LoadedModel model = load_model(scene);
+  if (material && scene.corrosion.unit_mm == 0.0) scene.corrosion.unit_mm = guessed_unit_mm(model.mesh);
   lap("read");
 
   progress.stage("building surface");
@@ -186,6 +187,10 @@ int run_job(Scene scene, const RunOptions& options) {
   lap("grow");
   seconds["checkpoints"] = checkpoints.seconds();  // part of "grow"
 
+  // What an earlier run left there and this one does not write would not be of these cells.
+  for (const std::string& name : result_files())
+    if (std::error_code ignored; name != checkpoint_file.filename())
+      std::filesystem::remove(out / name, ignored);
   progress.stage("writing cells");
   const auto* corrosion = material ? dynamic_cast<const CorrosionGrowth*>(simulation.get()) : nullptr;
   report.results =

@@ -27,7 +27,7 @@ CorrosionPlan read_corrosion(const std::filesystem::path& file, const toml::tabl
   if (const toml::array* frames = table.array("frames"))
     for (const toml::node& node : *frames) plan.frames.push_back(table.number_of(node, "frames", 0.0, 1e9));
   table.number("exaggerate", plan.exaggerate, 0.0, 1e9);
-  table.number("unit_mm", plan.unit_mm, 1e-9, 1e12);
+  table.number("unit_mm", plan.unit_mm, 0.0, 1e12);
   table.flag("holes", plan.holes);
   table.flag("occlusion", plan.occlusion);
   return plan;

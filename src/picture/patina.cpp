@@ -17,7 +17,7 @@ LayerLook look_of(const Finish& finish) {
   LayerLook look;
   for (int k = 0; k < 3; ++k) look.colour[k] = srgb_to_linear(finish.colour[k]);
   // A crust pales where it is loose; a metal is of one colour.
-  look.far_colour = (1.0f + 0.7f * (1.0f - finish.metallic)) * look.colour;
+  look.far_colour = (1.0f + 0.4f * (1.0f - finish.metallic)) * look.colour;
   const float smooth = 1.0f - finish.roughness;
   look.roughness = finish.roughness;
   look.metallic = finish.metallic;

@@ -82,7 +82,8 @@ class PlotPainter {
     double widest = 0.0;
     for (const double tick : y_.ticks) widest = std::max(widest, text_width(tick_text(tick), tick_size()));
     left_ = 34 * unit_ + widest + (plot.y_label.empty() ? 0.0 : 46 * unit_);
-    right_ = width - 34 * unit_;
+    const double last = x_.ticks.empty() ? 0.0 : text_width(tick_text(x_.ticks.back()), tick_size());
+    right_ = width - std::max(34 * unit_, 0.5 * last + 12 * unit_);
     top_ = (plot.title.empty() ? 42 : 100) * unit_;
     bottom_ = height - (plot.x_label.empty() ? 58 : 98) * unit_;
   }

@@ -13,7 +13,7 @@ struct CorrosionPlan {
   double step_years = 0.0;      ///< length of a step
   std::vector<double> frames;   ///< ages to draw, years
   double exaggerate = 1.0;      ///< factor on the relief; 0: none
-  double unit_mm = 1.0;         ///< length of a model unit, millimetres
+  double unit_mm = 0.0;         ///< length of a model unit, millimetres; 0: told by the size of the model
   bool holes = false;           ///< cells without metal are not drawn; else what lies under the metal is
   bool occlusion = true;        ///< darken what sees little of its surroundings
 
