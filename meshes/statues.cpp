@@ -79,7 +79,7 @@ Mesh make_bust() {
 Mesh make_roof() {
   // Lines of the grid: along the slope with the chimney's sides, along the ridge with each seam's four.
   constexpr double half_width = 2.4, half_length = 3.2, eave = 1.0, ridge = 2.9, seam = 0.045;
-  constexpr double top = 3.25, edge = 0.012;
+  constexpr double top = 3.25, edge = 0.04, fold = 0.012;
   std::vector<double> xs{-half_width, -edge, edge};
   for (const double x : {0.9 - edge, 0.9, 1.5, 1.5 + edge, half_width}) xs.push_back(x);
   std::vector<double> zs;
@@ -87,7 +87,7 @@ Mesh make_roof() {
   const auto add = [&](double z, bool up) { zs.push_back(z), raised.push_back(up); };
   for (int k = 0; k < 9; ++k) {
     const double z = -half_length + 0.04 + (2.0 * half_length - 0.08) * k / 8.0;
-    add(z - 0.03, false), add(z - 0.03 + edge, true), add(z + 0.03 - edge, true), add(z + 0.03, false);
+    add(z - 0.03, false), add(z - 0.03 + fold, true), add(z + 0.03 - fold, true), add(z + 0.03, false);
   }
   constexpr std::array<double, 4> chimney{0.95 - edge, 0.95, 1.45, 1.45 + edge};
   for (std::size_t k = 0; k < chimney.size(); ++k) {
