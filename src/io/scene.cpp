@@ -229,6 +229,7 @@ void write_scene(const std::filesystem::path& file, const Scene& scene) {
   if (!scene.barrier.mask.empty())
     text += fmt::format("mask = {}\nmask_on = {}\n", path_from(file, scene.barrier.mask),
                         quoted(scene.barrier.mask_on));
+  text += io::corrosion_text(scene.corrosion, file);
   text += fmt::format("\n[run]\nseed = {}\nsteps = {}\n", scene.seed, scene.steps);
   const PicturePlan& picture = scene.picture;
   text += fmt::format("\n[picture]\ndraw = {}\nview = {}\nup = {}\nwidth = {}\nheight = {}\noutline = {}\n",
