@@ -6,6 +6,7 @@
 #include "options.hpp"
 #include "verdigris/behaviours/builtin.hpp"
 #include "verdigris/synthesis/builtin.hpp"
+#include "verdigris/weathering/operators.hpp"
 
 namespace {
 
@@ -51,13 +52,25 @@ void print_text(const verdigris::Catalogue& catalogue) {
         entry.summary + (entry.needs_seeds ? "; takes seeds" : "") +
             (entry.masks.empty() ? "" : fmt::format("; takes masks: {}", fmt::join(entry.masks, ", "))),
         entry.parameters);
+  fmt::print("\noperators of timelines\n\n");
+  const verdigris::OperatorCatalogue operators = verdigris::builtin_operators();
+  for (const auto& entry : operators.entries())
+    print_entry(entry.name, fmt::format("{}; takes masks: {}", entry.summary, fmt::join(entry.masks, ", ")),
+                entry.parameters);
   fmt::print("\nprimitives\n\n");
   print_primitives();
 }
 
 void print_json(const verdigris::Catalogue& catalogue) {
   nlohmann::ordered_json behaviours = nlohmann::ordered_json::array(),
+                         operators = nlohmann::ordered_json::array(),
                          primitives = nlohmann::ordered_json::array();
+  const verdigris::OperatorCatalogue weathering = verdigris::builtin_operators();
+  for (const auto& entry : weathering.entries())
+    operators.push_back({{"name", entry.name},
+                         {"summary", entry.summary},
+                         {"masks", entry.masks},
+                         {"parameters", described(entry.parameters)}});
   for (const auto& entry : catalogue.entries())
     behaviours.push_back({{"name", entry.name},
                           {"summary", entry.summary},
@@ -70,7 +83,10 @@ void print_json(const verdigris::Catalogue& catalogue) {
                           {"summary", entry.summary},
                           {"dimension", entry.dimension},
                           {"parameters", described(entry.parameters)}});
-  fmt::print("{}\n", nlohmann::ordered_json{{"behaviours", behaviours}, {"primitives", primitives}}.dump(2));
+  fmt::print(
+      "{}\n",
+      nlohmann::ordered_json{{"behaviours", behaviours}, {"operators", operators}, {"primitives", primitives}}
+          .dump(2));
 }
 
 }  // namespace
@@ -81,8 +97,8 @@ void print_primitives() {
 }
 
 void add_list(CLI::App& app) {
-  auto* command =
-      app.add_subcommand("list", "Behaviours, primitives and their parameters, with ranges and defaults");
+  auto* command = app.add_subcommand(
+      "list", "Behaviours, operators, primitives and their parameters, with ranges and defaults");
   auto json = std::make_shared<bool>(false);
   command->add_flag("--json", *json, "As one JSON object on standard output");
   command->callback([json] {
