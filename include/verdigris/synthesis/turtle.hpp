@@ -27,7 +27,7 @@ struct TurtleSettings {
   double taper = 0.7071;    ///< factor of !
   std::string draw = "FG";  ///< symbols that draw forward
   std::string move = "f";   ///< symbols that move forward without a line
-  std::string back;         ///< symbols that draw backward
+  std::string back = {};    ///< symbols that draw backward
 };
 
 /// Where a turtle stands and how it looks: heading x left = up, all of length 1.
