@@ -17,6 +17,18 @@ using namespace verdigris;
 
 namespace {
 
+// CLI::Range takes what is no number for one in range.
+CLI::Validator within(double least, double greatest) {
+  return CLI::Validator(
+      [=](std::string& text) {
+        double value = 0.0;
+        return CLI::detail::lexical_cast(text, value) && value >= least && value <= greatest
+                   ? std::string()
+                   : fmt::format("'{}' is not a number from {:g} to {:g}", text, least, greatest);
+      },
+      fmt::format("{:g} .. {:g}", least, greatest));
+}
+
 // The material and the clock say what these are.
 constexpr std::array<std::string_view, 4> not_asked{"metal", "k1", "k2", "k3"};
 
@@ -104,7 +116,7 @@ void add_corrosion_options(CLI::App& command, Options& options) {
       ->capture_default_str();
   command.add_option("--years", options.years, "How long (default 30)")
       ->type_name("Y")
-      ->check(CLI::Range(1e-9, 1e9));
+      ->check(within(1e-9, 1e9));
   command.add_option("--step-length", options.step_length, "Length of a step: 12h, 30d, 2w, 0.5y")
       ->type_name("TIME");
   command
@@ -115,7 +127,7 @@ void add_corrosion_options(CLI::App& command, Options& options) {
       .add_option("--exaggerate", plan.exaggerate,
                   "Factor on the relief of metal lost and layers grown; 0: flat")
       ->type_name("X")
-      ->check(CLI::Range(0.0, 1e9))
+      ->check(within(0.0, 1e9))
       ->capture_default_str();
   command
       .add_option(
@@ -123,7 +135,7 @@ void add_corrosion_options(CLI::App& command, Options& options) {
           "Length of a model unit in millimetres, for the relief (default: 1 for a model of 10 units and "
           "more, else 1000)")
       ->type_name("MM")
-      ->check(CLI::Range(1e-9, 1e12));
+      ->check(within(1e-9, 1e12));
   command.add_flag("--holes", plan.holes, "Draw nothing where no metal is left");
   command.add_flag("--no-occlusion", options.no_occlusion, "Light hollows as if they were open: quicker");
 }

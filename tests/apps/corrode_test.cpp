@@ -135,6 +135,8 @@ TEST(Corrode, RefusesWhatItCannotDo) {
   };
   refused({"--material", "cheese"}, "material");
   refused({"--class", "C9"}, "C9");
+  refused({"--years", "nan"}, "--years");
+  refused({"--unit", "nan"}, "--unit");
   refused({"--step-length", "3 apples"}, "--step-length");
   refused({"--step-length", "1d", "--years", "3", "--steps", "10"}, "--years");
   refused({"--frames", "1,x"}, "--frames");
