@@ -71,11 +71,17 @@ double GridField::sample(const Level& level, double x, double y) const {
   double wx[4], wy[4];
   spline_weights(x - column, wx);
   spline_weights(y - row, wy);
+  // Points may lie any distance off the grid, or nowhere where it has no extent: a few cells off is as far as
+  // any.
+  const auto index = [](double at, int count) {
+    return at >= -8.0 ? static_cast<int>(std::min(at, static_cast<double>(count) + 8.0)) : -8;
+  };
   int columns[4];
-  for (int i = 0; i < 4; ++i) columns[i] = inside(static_cast<int>(column) - 1 + i, level.columns, beyond_);
+  for (int i = 0; i < 4; ++i)
+    columns[i] = inside(index(column, level.columns) - 1 + i, level.columns, beyond_);
   double sum = 0.0;
   for (int j = 0; j < 4; ++j) {
-    const int r = inside(static_cast<int>(row) - 1 + j, level.rows, beyond_);
+    const int r = inside(index(row, level.rows) - 1 + j, level.rows, beyond_);
     if (r < 0 || wy[j] == 0.0) continue;
     const float* values =
         level.values.data() + static_cast<std::size_t>(r) * static_cast<std::size_t>(level.columns);
