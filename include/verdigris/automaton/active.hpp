@@ -13,9 +13,8 @@
 #include <vector>
 
 #include "verdigris/automaton/behaviour.hpp"
-#include "verdigris/automaton/ghost_carrier.hpp"
-#include "verdigris/automaton/pairs.hpp"
 #include "verdigris/automaton/row_evaluation.hpp"
+#include "verdigris/automaton/row_stepper.hpp"
 #include "verdigris/surface/surface.hpp"
 
 namespace verdigris {
@@ -25,30 +24,10 @@ namespace verdigris {
 /// row costs next to nothing: rows are marked by a bit. Two state buffers. The same bits as SweepStepper. The
 /// surface must outlive it.
 template <ActiveBehaviour B>
-class ActiveStepper {
+class ActiveStepper : public RowStepper<B> {
  public:
   using State = typename B::State;
-
-  /// `state` as for SweepStepper. Every row is active in the first step.
-  ActiveStepper(const Surface& surface, B behaviour, Field<State> state, std::uint64_t seed)
-      : ActiveStepper(surface, std::move(behaviour), std::move(state), seed, Restart{}) {
-    make_pairs_common();
-    next_ = state_;
-  }
-
-  /// Goes on with a run that stands at `restart`; there the pairs have been made common.
-  ActiveStepper(const Surface& surface, B behaviour, Field<State> state, std::uint64_t seed,
-                const Restart& restart)
-      : surface_(surface),
-        behaviour_(std::move(behaviour)),
-        carrier_(surface),
-        state_(std::move(state)),
-        seed_(seed),
-        step_(restart.step),
-        active_(surface.rows().size() / 64 + 1, ~std::uint64_t{0}) {
-    carrier_.refresh(behaviour_, state_);
-    next_ = state_;
-  }
+  using RowStepper<B>::RowStepper;
 
   StepReport step() {
     if constexpr (SteppedBehaviour<B>) behaviour_.begin_step(step_ + 1);
@@ -74,16 +53,20 @@ class ActiveStepper {
         },
         std::plus<>());
     ++step_;
-    report.changed += make_pairs_common();
+    report.changed +=
+        this->make_pairs_common([&](std::uint32_t slot) { activate_around(surface_.row_of(slot)); });
     return report;
   }
 
-  const Field<State>& state() const { return state_; }
-  std::uint64_t steps() const { return step_; }
-  Restart restart() const { return {step_, {}}; }
-  const B& behaviour() const { return behaviour_; }
-
  private:
+  using RowStepper<B>::surface_;
+  using RowStepper<B>::behaviour_;
+  using RowStepper<B>::carrier_;
+  using RowStepper<B>::state_;
+  using RowStepper<B>::next_;
+  using RowStepper<B>::seed_;
+  using RowStepper<B>::step_;
+
   void list_active_rows() {
     rows_.clear();
     const std::size_t count = surface_.rows().size();
@@ -110,13 +93,8 @@ class ActiveStepper {
 
   bool waits(std::uint32_t r) const {
     const Row* row = surface_.rows().data() + r;
-    const State* state = state_.data();
-    for (std::uint32_t slot = row->run_begin; slot < row->run_end; ++slot) {
-      const std::uint32_t column = slot - row->base;
-      if (behaviour_.waits({state + static_cast<std::uint32_t>(row[-1].base + column), state + slot,
-                            state + static_cast<std::uint32_t>(row[1].base + column)}))
-        return true;
-    }
+    for (std::uint32_t slot = row->run_begin; slot < row->run_end; ++slot)
+      if (behaviour_.waits(neighbourhood_of(row, slot, state_.data()))) return true;
     return false;
   }
 
@@ -146,25 +124,9 @@ class ActiveStepper {
     }
   }
 
-  std::uint64_t make_pairs_common() {
-    if constexpr (MergingBehaviour<B>)
-      if (surface_.link_kind() == LinkKind::projected) {
-        const auto merges = merge_pairs(surface_, behaviour_, state_, paired_slots(surface_.links()));
-        for (const auto& [slot, state] : merges) {
-          state_[slot] = state;
-          activate_around(surface_.row_of(slot));
-        }
-        return merges.size();
-      }
-    return 0;
-  }
-
-  const Surface& surface_;
-  B behaviour_;
-  GhostCarrier<B> carrier_;
-  Field<State> state_, next_;
-  std::uint64_t seed_, step_;
-  std::vector<std::uint64_t> active_;   // [row / 64] to be looked at in the next step
+  // [row / 64] to be looked at in the next step: at first every one.
+  std::vector<std::uint64_t> active_ =
+      std::vector<std::uint64_t>(surface_.rows().size() / 64 + 1, ~std::uint64_t{0});
   std::vector<std::uint32_t> rows_;     // those of this step
   std::vector<std::uint32_t> changed_;  // [k] cells of rows_[k] that changed
 };

@@ -15,6 +15,7 @@
 #include "verdigris/automaton/behaviour.hpp"
 #include "verdigris/automaton/ghost_carrier.hpp"
 #include "verdigris/automaton/pairs.hpp"
+#include "verdigris/automaton/row_evaluation.hpp"
 #include "verdigris/automaton/slot_list.hpp"
 #include "verdigris/automaton/slot_marks.hpp"
 #include "verdigris/surface/surface.hpp"
@@ -219,13 +220,8 @@ class FrontStepper {
       return false;
   }
 
-  // Base offsets wrap around: the pointers are formed from 32-bit slots.
   Neighbourhood<State> around(const Place& place) const {
-    const Row* row = surface_.rows().data() + place.row;
-    const std::uint32_t column = place.slot - row->base;
-    const State* state = state_.data();
-    return {state + static_cast<std::uint32_t>(row[-1].base + column), state + place.slot,
-            state + static_cast<std::uint32_t>(row[1].base + column)};
+    return neighbourhood_of(surface_.rows().data() + place.row, place.slot, state_.data());
   }
 
   // The rows' own cache lines come with the nearer fetch.

@@ -10,6 +10,16 @@
 
 namespace verdigris {
 
+/// The states around an evolving slot of `row`, which stands in Surface::rows(); `state` is a field [slot].
+/// Offsets wrap around: pointers are formed from 32-bit slots.
+template <typename State>
+[[gnu::always_inline]] inline Neighbourhood<State> neighbourhood_of(const Row* row, std::uint32_t slot,
+                                                                    const State* state) {
+  const std::uint32_t column = slot - row->base;
+  return {state + static_cast<std::uint32_t>(row[-1].base + column), state + slot,
+          state + static_cast<std::uint32_t>(row[1].base + column)};
+}
+
 /// A behaviour that makes the next states of `lanes` cells side by side at once: next_lanes<lanes>(below,
 /// here, above, out), the pointers of a Neighbourhood at the first of them. Without random numbers. Loops of
 /// a fixed length that compilers make vectors of; the same states as `next`, cell by cell.
@@ -57,15 +67,9 @@ std::uint64_t evaluate_row(const Surface& surface, std::uint32_t r, const B& beh
                            std::uint64_t step) {
   using State = typename B::State;
   const Row* row = surface.rows().data() + r;
-  // Base offsets wrap around: pointers are formed from 32-bit slots.
-  const std::uint32_t below = row[-1].base - row->base, above = row[1].base - row->base;
-  const auto around = [&](std::uint32_t slot) {
-    return Neighbourhood<State>{state + static_cast<std::uint32_t>(slot + below), state + slot,
-                                state + static_cast<std::uint32_t>(slot + above)};
-  };
   const std::size_t count = row->run_end - row->run_begin;
   if constexpr (LaneBehaviour<B>) {
-    const auto n = around(row->run_begin);
+    const auto n = neighbourhood_of(row, row->run_begin, state);
     State* out = next + row->run_begin;
     if (count >= 64) return detail::evaluate_in_lanes<64>(behaviour, n, out, count);
     if (count >= 32) return detail::evaluate_in_lanes<32>(behaviour, n, out, count);
@@ -74,7 +78,7 @@ std::uint64_t evaluate_row(const Surface& surface, std::uint32_t r, const B& beh
   }
   std::uint64_t changed = 0;
   for (std::uint32_t slot = row->run_begin; slot < row->run_end; ++slot) {
-    next[slot] = behaviour.next(around(slot), CellRandom(seed, step, slot));
+    next[slot] = behaviour.next(neighbourhood_of(row, slot, state), CellRandom(seed, step, slot));
     changed += next[slot] != state[slot];
   }
   return changed;

@@ -9,38 +9,18 @@
 #include <utility>
 
 #include "verdigris/automaton/behaviour.hpp"
-#include "verdigris/automaton/ghost_carrier.hpp"
-#include "verdigris/automaton/pairs.hpp"
 #include "verdigris/automaton/row_evaluation.hpp"
+#include "verdigris/automaton/row_stepper.hpp"
 #include "verdigris/surface/surface.hpp"
 
 namespace verdigris {
 
 /// Runs any behaviour by evaluating every evolving cell in every step. The surface must outlive it.
 template <Behaviour B>
-class SweepStepper {
+class SweepStepper : public RowStepper<B> {
  public:
   using State = typename B::State;
-
-  /// `state` holds a value for each slot of the surface; those of ghosts are made anew from their owners.
-  SweepStepper(const Surface& surface, B behaviour, Field<State> state, std::uint64_t seed)
-      : SweepStepper(surface, std::move(behaviour), std::move(state), seed, Restart{}) {
-    make_pairs_common();
-    next_ = state_;
-  }
-
-  /// Goes on with a run that stands at `restart`; there the pairs have been made common.
-  SweepStepper(const Surface& surface, B behaviour, Field<State> state, std::uint64_t seed,
-               const Restart& restart)
-      : surface_(surface),
-        behaviour_(std::move(behaviour)),
-        carrier_(surface),
-        state_(std::move(state)),
-        seed_(seed),
-        step_(restart.step) {
-    refresh_ghosts();
-    next_ = state_;
-  }
+  using RowStepper<B>::RowStepper;
 
   StepReport step() {
     if constexpr (SteppedBehaviour<B>) behaviour_.begin_step(step_ + 1);
@@ -65,7 +45,7 @@ class SweepStepper {
     report.changed = total.changed;
     report.visited = total.visited;
     refresh_ghosts();
-    report.changed += make_pairs_common();
+    report.changed += this->make_pairs_common([](std::uint32_t) {});
     return report;
   }
 
@@ -77,12 +57,15 @@ class SweepStepper {
                      [&](std::uint32_t ghost, State shown) { state_[ghost] = shown; });
   }
 
-  const Field<State>& state() const { return state_; }
-  std::uint64_t steps() const { return step_; }
-  Restart restart() const { return {step_, {}}; }
-  const B& behaviour() const { return behaviour_; }
-
  private:
+  using RowStepper<B>::surface_;
+  using RowStepper<B>::behaviour_;
+  using RowStepper<B>::carrier_;
+  using RowStepper<B>::state_;
+  using RowStepper<B>::next_;
+  using RowStepper<B>::seed_;
+  using RowStepper<B>::step_;
+
   struct Counts {
     std::uint64_t changed = 0, visited = 0;
   };
@@ -94,22 +77,6 @@ class SweepStepper {
                         carrier_.refresh_between(behaviour_, state_, range.begin(), range.end());
                       });
   }
-
-  std::uint64_t make_pairs_common() {
-    if constexpr (MergingBehaviour<B>)
-      if (surface_.link_kind() == LinkKind::projected) {
-        const auto merges = merge_pairs(surface_, behaviour_, state_, paired_slots(surface_.links()));
-        for (const auto& [slot, state] : merges) state_[slot] = state;
-        return merges.size();
-      }
-    return 0;
-  }
-
-  const Surface& surface_;
-  B behaviour_;
-  GhostCarrier<B> carrier_;
-  Field<State> state_, next_;
-  std::uint64_t seed_, step_;
 };
 
 }  // namespace verdigris
