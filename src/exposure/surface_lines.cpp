@@ -57,8 +57,7 @@ void merge(std::vector<LineCell>& cells) {
 }  // namespace
 
 std::vector<LineCell> cells_of(const Surface& surface, const SurfaceDrawing& drawing) {
-  const std::vector<bool> no_barrier;
-  const Unfolding unfolding(surface.frames(), surface.adjacency(), no_barrier);
+  const Unfolding unfolding(surface.frames(), surface.adjacency());
   const double spacing = 0.5 * surface.cell_size();
   const Bounds bounds = mesh_bounds(surface.mesh());
   const double extent = glm::distance(bounds.lower, bounds.upper);

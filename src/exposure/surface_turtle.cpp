@@ -12,20 +12,27 @@ namespace verdigris {
 
 namespace {
 
-const std::vector<bool> no_barrier;
-
 glm::dvec3 turned(const Motion& motion, const glm::dvec3& v) {
   const glm::dvec2 flat = motion.turn({v.x, v.y});
   return {flat.x, flat.y, v.z};
 }
 
+struct SurfaceState {
+  SurfacePoint at;
+  TurtlePose pose;
+  double width;
+  int generation;
+  std::size_t line;
+  bool stopped;  // at a boundary: nothing is drawn until the branch ends
+};
+
 // Its pose is in the axes of its triangle's frame: z is the normal.
-class SurfaceTurtle {
+class SurfaceTurtle : public TurtleBase<SurfaceState> {
  public:
   SurfaceTurtle(const Surface& surface, const SurfacePoint& at, const TurtlePose& pose, double width)
-      : surface_(surface),
-        unfolding_(surface.frames(), surface.adjacency(), no_barrier),
-        at_{at, pose, width, 0, no_line, false} {}
+      : TurtleBase({at, pose, width, 0, no_line, false}),
+        surface_(surface),
+        unfolding_(surface.frames(), surface.adjacency()) {}
 
   void forward(double distance, bool pen_down) {
     if (!pen_down) at_.line = no_line;
@@ -51,38 +58,10 @@ class SurfaceTurtle {
       ++drawing.stopped;
     }
   }
-  void turn(double degrees) { at_.pose.turn(degrees); }
-  void pitch(double degrees) { at_.pose.pitch(degrees); }
-  void roll(double degrees) { at_.pose.roll(degrees); }
-  void scale_width(double factor) {
-    at_.width *= factor;
-    check_measure("a width", at_.width);
-  }
-  void set_width(double width) { at_.width = width; }
-  void push() {
-    stack_.push_back(at_);
-    at_.line = no_line;
-    ++at_.generation;
-  }
-  void pop() {
-    if (stack_.empty()) return;
-    at_ = stack_.back();
-    stack_.pop_back();
-  }
 
   SurfaceDrawing drawing;
 
  private:
-  static constexpr std::size_t no_line = ~std::size_t{0};
-  struct State {
-    SurfacePoint at;
-    TurtlePose pose;
-    double width;
-    int generation;
-    std::size_t line;
-    bool stopped;  // at a boundary: nothing is drawn until the branch ends
-  };
-
   void begin_line() {
     at_.line = drawing.lines.size();
     drawing.lines.emplace_back();
@@ -102,8 +81,6 @@ class SurfaceTurtle {
   const Surface& surface_;
   Unfolding unfolding_;
   std::size_t pieces_ = 0;
-  State at_;
-  std::vector<State> stack_;
 };
 
 // Heading in the plane, up the normal.

@@ -113,8 +113,7 @@ std::vector<LocatedCell> locate(const Surface& surface, std::span<const glm::dve
                      "use smaller cells");
   const TriangleTree tree(surface.mesh());
   const PatchRows rows{surface.rows(), surface.row_begins(), surface.owned_runs(), surface.cell_size()};
-  const std::vector<bool> no_barrier;
-  const Unfolding unfolding(surface.frames(), surface.adjacency(), no_barrier);
+  const Unfolding unfolding(surface.frames(), surface.adjacency());
 
   std::vector<LocatedCell> cells;
   cells.reserve(points.size());

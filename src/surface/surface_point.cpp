@@ -28,8 +28,7 @@ SurfacePoint nearest_point(const Surface& surface, const glm::dvec3& p) {
 
 std::optional<std::uint32_t> cell_at(const Surface& surface, const SurfacePoint& at) {
   const PatchRows rows{surface.rows(), surface.row_begins(), surface.owned_runs(), surface.cell_size()};
-  const std::vector<bool> no_barrier;
-  const Unfolding unfolding(surface.frames(), surface.adjacency(), no_barrier);
+  const Unfolding unfolding(surface.frames(), surface.adjacency());
   const auto cell = nearest_cell(rows, unfolding, at.triangle, at.point, no_patch, 4.0, 4096);
   if (!cell) return std::nullopt;
   return cell->slot;

@@ -26,9 +26,16 @@ void turn_towards(glm::dvec3& a, glm::dvec3& b, double degrees) {
   a = turned;
 }
 
-class SpaceTurtle {
+struct SpaceState {
+  TurtlePose pose;
+  double width;
+  int generation;
+  std::size_t line;
+};
+
+class SpaceTurtle : public TurtleBase<SpaceState> {
  public:
-  SpaceTurtle(const TurtlePose& start, double width) : at_{start, width, 0, no_line} {}
+  SpaceTurtle(const TurtlePose& start, double width) : TurtleBase({start, width, 0, no_line}) {}
 
   void forward(double distance, bool pen_down) {
     const glm::dvec3 from = at_.pose.position;
@@ -45,37 +52,8 @@ class SpaceTurtle {
     lines[at_.line].points.push_back(at_.pose.position);
     lines[at_.line].widths.push_back(at_.width);
   }
-  void turn(double degrees) { at_.pose.turn(degrees); }
-  void pitch(double degrees) { at_.pose.pitch(degrees); }
-  void roll(double degrees) { at_.pose.roll(degrees); }
-  void scale_width(double factor) {
-    at_.width *= factor;
-    check_measure("a width", at_.width);
-  }
-  void set_width(double width) { at_.width = width; }
-  void push() {
-    stack_.push_back(at_);
-    at_.line = no_line;
-    ++at_.generation;
-  }
-  void pop() {
-    if (stack_.empty()) return;
-    at_ = stack_.back();
-    stack_.pop_back();
-  }
 
   std::vector<TurtleLine> lines;
-
- private:
-  static constexpr std::size_t no_line = ~std::size_t{0};
-  struct State {
-    TurtlePose pose;
-    double width;
-    int generation;
-    std::size_t line;
-  };
-  State at_;
-  std::vector<State> stack_;
 };
 
 }  // namespace

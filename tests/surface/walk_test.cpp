@@ -10,11 +10,9 @@ using namespace verdigris;
 
 namespace {
 
-const std::vector<bool> no_barrier;
-
 TEST(Walk, OnAPlaneItEndsWhereTheStraightLineEnds) {
   const Surface s = make_surface(shapes::random_plane(1.0, 10.0, 2), {.cell_size = 0.1});
-  const Unfolding unfolding(s.frames(), s.adjacency(), no_barrier);
+  const Unfolding unfolding(s.frames(), s.adjacency());
   std::mt19937 engine(4);
   const auto u = [&] { return static_cast<double>(engine()) / 4294967296.0 - 0.5; };
   int landed = 0;
@@ -37,7 +35,7 @@ TEST(Walk, OnAPlaneItEndsWhereTheStraightLineEnds) {
 TEST(Walk, RoundACubeAndBackToTheStart) {
   // Straight across four faces: after four sides one is back.
   const Surface s = make_surface(shapes::cube(1.0), {.cell_size = 0.1});
-  const Unfolding unfolding(s.frames(), s.adjacency(), no_barrier);
+  const Unfolding unfolding(s.frames(), s.adjacency());
   const glm::dvec3 from{0.3, 0.2, 0.0};  // face z = 0, triangle 1 (x > y)
   const Frame& f = s.frame(1);
   const glm::dvec2 start = f.to_plane(from), along = f.to_plane(from + glm::dvec3(1, 0, 0)) - start;
@@ -48,7 +46,7 @@ TEST(Walk, RoundACubeAndBackToTheStart) {
 
 TEST(Walk, StopsAtABoundary) {
   const Surface s = make_surface(shapes::square(1.0), {.cell_size = 0.1});
-  const Unfolding unfolding(s.frames(), s.adjacency(), no_barrier);
+  const Unfolding unfolding(s.frames(), s.adjacency());
   const glm::dvec2 start = s.frame(0).to_plane({0.6, 0.3, 0});
   EXPECT_FALSE(unfolding.walk(0, start, s.frame(0).to_plane({1.2, 0.3, 0})).has_value());
   EXPECT_TRUE(unfolding.walk(0, start, s.frame(0).to_plane({0.1, 0.9, 0})).has_value());

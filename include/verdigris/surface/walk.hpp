@@ -37,6 +37,10 @@ class Unfolding {
   Unfolding(std::span<const Frame> frames, const Adjacency& adjacency, const std::vector<bool>& barrier)
       : frames_(frames), adjacency_(adjacency), barrier_(barrier) {}
 
+  /// All edges can be crossed.
+  Unfolding(std::span<const Frame> frames, const Adjacency& adjacency)
+      : Unfolding(frames, adjacency, no_barrier()) {}
+
   const Frame& frame(std::uint32_t patch) const { return frames_[patch]; }
 
   /// Half-edge of the mesh that is edge k of the frame (0 = AB, 1 = BC, 2 = CA).
@@ -62,6 +66,11 @@ class Unfolding {
   Trace trace(std::uint32_t patch, glm::dvec2 start, glm::dvec2 end, int most_crossings = 1 << 20) const;
 
  private:
+  static const std::vector<bool>& no_barrier() {
+    static const std::vector<bool> none;
+    return none;
+  }
+
   // The edge by which the line from `start` to `point`, come in by edge `entered` (-1: it began here), leaves
   // a triangle; -1 when `point` lies in it.
   static int exit_edge(const Frame& frame, int entered, glm::dvec2 start, glm::dvec2 point);

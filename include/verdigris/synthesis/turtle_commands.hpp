@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "verdigris/synthesis/turtle.hpp"
 
@@ -18,6 +20,40 @@ enum class TurtleCommand : std::uint8_t { none, draw, move, back, turn, pitch, r
 inline void check_measure(const char* what, double value) {
   if (!(std::abs(value) <= 1e12)) refuse_measure(what, value);
 }
+
+/// What turtles share wherever they walk: turning, widths, branches. `State` has pose, width, generation and
+/// line.
+template <typename State>
+class TurtleBase {
+ public:
+  void turn(double degrees) { at_.pose.turn(degrees); }
+  void pitch(double degrees) { at_.pose.pitch(degrees); }
+  void roll(double degrees) { at_.pose.roll(degrees); }
+  void scale_width(double factor) {
+    at_.width *= factor;
+    check_measure("a width", at_.width);
+  }
+  void set_width(double width) { at_.width = width; }
+  void push() {
+    stack_.push_back(at_);
+    at_.line = no_line;
+    ++at_.generation;
+  }
+  void pop() {
+    if (stack_.empty()) return;
+    at_ = stack_.back();
+    stack_.pop_back();
+  }
+
+ protected:
+  static constexpr std::size_t no_line = ~std::size_t{0};
+  explicit TurtleBase(const State& start) : at_(start) {}
+
+  State at_;
+
+ private:
+  std::vector<State> stack_;
+};
 
 /// Tells `turtle` what each symbol says, in model units and degrees. A turtle has
 ///
