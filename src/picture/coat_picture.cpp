@@ -47,6 +47,9 @@ void reduce(std::vector<Drawn>& layers) {
   for (std::size_t upper = 0; upper < layers.size() && layers.size() > most_layers; ++upper)
     for (std::size_t lower = upper + 1; lower < layers.size() && layers.size() > most_layers; ++lower)
       if (alike(*layers[upper].coat, *layers[lower].coat)) merge(layers, upper, lower--);
+  if (layers.size() <= most_layers) return;
+  for (Drawn& drawn : layers)
+    for (const float depth : drawn.depth) drawn.seen += 1.0 - std::exp(-static_cast<double>(depth));
   while (layers.size() > most_layers)
     layers.erase(std::min_element(layers.begin(), layers.end(),
                                   [](const Drawn& a, const Drawn& b) { return a.seen < b.seen; }));
@@ -67,8 +70,8 @@ CoatPicture picture_of(const CoatedMetal& metal, std::span<const std::uint8_t> t
     for_slots(slots, [&](std::size_t slot) {
       drawn.depth[slot] = optical_depth(drawn.look, std::max(0.0f, coat->thickness[slot]));
     });
-    for (const float depth : drawn.depth) drawn.seen += 1.0 - std::exp(-static_cast<double>(depth));
-    if (drawn.seen > 0.0) layers.push_back(std::move(drawn));
+    if (std::any_of(drawn.depth.begin(), drawn.depth.end(), [](float depth) { return depth > 0.0f; }))
+      layers.push_back(std::move(drawn));
   }
   reduce(layers);
   CoatPicture picture;

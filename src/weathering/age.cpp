@@ -48,6 +48,7 @@ struct Age {
       if (coat.kind == CoatKind::applied && coat.adhesion.empty())
         coat.adhesion.assign(surface.slot_count(), 1.0f);
     OperatorReport report;
+    report.years = years;
     const Field<float> time =
         spread > 0.0 ? years_in_spots(metal, setup, open, report) : years_everywhere(metal, setup, open);
     const ExposureClass air = exposure_class_named(exposure);
@@ -146,11 +147,11 @@ struct Age {
       ++done;
       if (!setup.go_on(static_cast<double>(done) / static_cast<double>(steps))) {
         report.complete = false;
+        report.years = static_cast<double>(done) * step_years;
         break;
       }
     }
-    report.numbers = {{"spots", static_cast<double>(run.seeds_placed())},
-                      {"years_done", static_cast<double>(done) * step_years}};
+    report.numbers = {{"spots", static_cast<double>(run.seeds_placed())}};
     const Field<std::int32_t> ages = run.ages();
     Field<float> time(surface.slot_count(), -1.0f);
     for_owned(surface, [&](std::uint32_t slot) {

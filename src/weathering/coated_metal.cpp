@@ -6,7 +6,7 @@
 
 #include "cells.hpp"
 #include "verdigris/base/error.hpp"
-#include "verdigris/exposure/ghost_values.hpp"
+#include "verdigris/surface/ghost_values.hpp"
 
 namespace verdigris {
 

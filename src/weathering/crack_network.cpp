@@ -7,10 +7,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
-#include <queue>
+#include <span>
 #include <utility>
 
 #include "cells.hpp"
+#include "distance.hpp"
 #include "line_walk.hpp"
 #include "verdigris/base/error.hpp"
 
@@ -22,7 +23,7 @@ using weathering::LineWalk;
 
 namespace {
 
-constexpr std::uint32_t none = 0xFFFFFFFFu;
+constexpr std::uint32_t none = weathering::no_owner;
 constexpr std::uint32_t flaw_purpose = 0x43524b01, angle_purpose = 0x43524b02, wander_purpose = 0x43524b03;
 // A crack opens at this distance from others, in units of the spacing. On sheets of 400 cells, spacings of 20
 // to 50 cells, the square root of the mean fragment is then 0.95 to 1.06 of the spacing.
@@ -37,15 +38,11 @@ class Network {
         unfolding_(surface.frames(), surface.adjacency(), surface.barred_edges()),
         spacing_(settings.spacing / surface.cell_size()),
         reach_(static_cast<float>(spacing_)),
-        owner_(surface.slot_count(), none),
+        owner_(weathering::owners_of(surface)),
         crack_(surface.slot_count(), 0),
         when_(surface.slot_count(), 0),
         degree_(surface.slot_count(), 0) {
     result.distance.assign(surface.slot_count(), reach_);
-    each_owned(surface, [&](std::uint32_t slot) { owner_[slot] = slot; });
-    surface.links().for_each([&](std::uint32_t source, auto ghosts) {
-      for (const std::uint32_t ghost : ghosts) owner_[ghost] = source;
-    });
   }
 
   void grow() {
@@ -111,13 +108,12 @@ class Network {
     const double sway = settings_.wander / std::sqrt(2.0 * spacing_);
     std::uint32_t last = start;
     for (int k = 1; k < most; ++k) {
-      const auto cell = std::optional<std::uint32_t>(last);
-      const float near = result.distance[*cell];
+      const float near = result.distance[last];
       const double u = weathering::uniform(settings_.seed, static_cast<std::uint64_t>(k), 2 * id + (side > 0),
                                            wander_purpose);
       walk.turn(sway * (2.0 * u - 1.0) * std::sqrt(3.0));
       if (near < 0.5f * reach_) {
-        const glm::dvec3 slope = away(*cell);
+        const glm::dvec3 slope = away(last);
         // What it runs into it meets squarely; what it leaves behind it does not look back at.
         if (glm::dot(walk.heading(), slope) < 0.0) walk.steer(-slope, settings_.release * 3.0 / spacing_);
       }
@@ -182,29 +178,9 @@ class Network {
     if (degree_[at] < 255) ++degree_[at];
   }
 
-  // Carries the distance outwards from the new cells, as far as it counts. Weights of Borgefors 1986,
-  // "Distance transformations in digital images": off by 4.5 % at most.
   void release(std::size_t first) {
-    constexpr float side = 0.95509f, corner = 1.36930f;
-    using Entry = std::pair<float, std::uint32_t>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    const auto set = [&](std::uint32_t slot, float d) {
-      result.distance[slot] = d;
-      for (const std::uint32_t ghost : surface_.links().targets(slot)) result.distance[ghost] = d;
-      queue.emplace(d, slot);
-    };
-    for (std::size_t k = first; k < result.cells.size(); ++k) set(result.cells[k], 0.0f);
-    while (!queue.empty()) {
-      const auto [d, slot] = queue.top();
-      queue.pop();
-      if (d > result.distance[slot]) continue;
-      const auto n = around(surface_, slot);
-      for (std::size_t k = 0; k < 8; ++k) {
-        const std::uint32_t s = owner_[n[k]];
-        const float far = d + (k % 2 == 0 ? side : corner);
-        if (s != none && far < result.distance[s]) set(s, far);
-      }
-    }
+    weathering::carry_distance(surface_, owner_, std::span(result.cells).subspan(first), result.distance,
+                               [](std::uint32_t, std::uint32_t) {});
   }
 
   const Surface& surface_;

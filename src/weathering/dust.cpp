@@ -1,8 +1,11 @@
 // Dust and stains: what comes from elsewhere and lies on top.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <string>
+#include <utility>
 
 #include "cells.hpp"
 #include "entries.hpp"
@@ -16,11 +19,21 @@ namespace verdigris::weathering {
 
 namespace {
 
-// The uppermost loose coat of that name, made when there is none.
-Coat& loose_coat(CoatedMetal& metal, const Layer& layer) {
-  for (Coat& coat : metal.coats)
-    if (coat.kind == CoatKind::loose && coat.layer.name == layer.name) return coat;
-  metal.coats.push_back({layer, CoatKind::loose, Field<float>(metal.loss.size(), 0.0f), {}});
+// The loose coat of that name while none but loose ones lie on it; else a new one on top, numbered when the
+// name is taken.
+Coat& loose_coat(CoatedMetal& metal, Layer layer) {
+  const std::string base = layer.name;
+  auto latest = metal.coats.end();
+  for (int number = 2;; ++number) {
+    const auto found = std::find_if(metal.coats.begin(), metal.coats.end(),
+                                    [&](const Coat& coat) { return coat.layer.name == layer.name; });
+    if (found == metal.coats.end()) break;
+    latest = found;
+    layer.name = fmt::format("{} {}", base, number);
+  }
+  const auto is_loose = [](const Coat& coat) { return coat.kind == CoatKind::loose; };
+  if (latest != metal.coats.end() && std::all_of(latest, metal.coats.end(), is_loose)) return *latest;
+  metal.coats.push_back({std::move(layer), CoatKind::loose, Field<float>(metal.loss.size(), 0.0f), {}});
   return metal.coats.back();
 }
 

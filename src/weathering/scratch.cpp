@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "cells.hpp"
+#include "distance.hpp"
 #include "entries.hpp"
 #include "line_walk.hpp"
 #include "verdigris/behaviours/voronoi_growth.hpp"
@@ -34,30 +35,47 @@ struct Scratch {
     v("length", length, 0.0, 100.0, "1", "of each, at most, in parts of the model's longest side");
     v("depth", depth, 0.0, 1e6, "um", "of the cut in its middle; it is shallower towards the ends");
     v("bend", bend, 0.0, 10.0, "rad", "how far one turns on its way");
-    v("width", width, 0.5, 50.0, "cells", "of the cut");
+    v("width", width, 0.5, 50.0, "cells", "of the cut, one cell at least");
   }
 
   OperatorReport apply(CoatedMetal& metal, const OperatorSetup& setup) const {
     const Surface& surface = setup.surface;
     const Unfolding unfolding(surface.frames(), surface.adjacency(), surface.barred_edges());
     const Field<float>* where = setup.mask("where");
-    Field<float> cut(surface.slot_count(), 0.0f);
+    const std::vector<std::uint32_t> owners = owners_of(surface);
+    const auto half = static_cast<float>(0.5 * width);
+    Field<float> cut(surface.slot_count(), 0.0f), press(surface.slot_count(), 0.0f),
+        distance(surface.slot_count(), half);
     const double longest = length * extent(surface), step = 0.4 * surface.cell_size();
     const std::size_t most = std::min<std::size_t>(count, surface.owned_count());
     const auto starts = most > 0 ? random_seeds(surface, most, setup.seed) : std::vector<Seed>{};
+    std::uint64_t drawn = 0;
+    std::vector<std::uint32_t> line, touched;
     for (std::uint32_t k = 0; k < starts.size(); ++k) {
       const auto w = CellRandom(setup.seed, 1, k).words(scratch_purpose);
       const auto u = [&](std::size_t i) { return w[i] / 4294967296.0; };
       if (u(0) >= OperatorSetup::at(where, starts[k].slot)) continue;
+      ++drawn;
       const double size = longest * (0.3 + 0.7 * u(1));
+      line.clear();
       LineWalk walk(surface, unfolding, starts[k].slot, 2.0 * std::numbers::pi * u(2));
       for (double s = 0.0; s <= size; s += step) {
-        const auto press =
-            static_cast<float>(depth * std::min(1.0, 4.0 * std::min(s, size - s) / size + 0.2));
-        if (const auto cell = walk.cell()) stamp(surface, *cell, press, cut);
+        const auto here = static_cast<float>(depth * std::min(1.0, 4.0 * std::min(s, size - s) / size + 0.2));
+        if (const auto cell = walk.cell()) {
+          if (line.empty() || line.back() != *cell) line.push_back(*cell);
+          press[*cell] = std::max(press[*cell], here);
+        }
         walk.turn(bend * (2.0 * u(3) - 1.0) * step / std::max(size, step));
         if (!walk.forward(step)) break;
       }
+      // A cut is as deep beside its line as on it.
+      touched.clear();
+      carry_distance(surface, owners, line, distance, [&](std::uint32_t slot, std::uint32_t from) {
+        press[slot] = press[from];
+        touched.push_back(slot);
+      });
+      for (const std::uint32_t slot : touched) cut[slot] = std::max(cut[slot], press[slot]);
+      for (const std::uint32_t slot : touched) press[slot] = 0.0f, distance[slot] = half;
     }
     OperatorReport report;
     each_owned(surface, [&](std::uint32_t slot) {
@@ -66,16 +84,8 @@ struct Scratch {
       report.removed += static_cast<double>(take_off(metal, slot, cut[slot]));
       metal.damage[slot] = std::max(metal.damage[slot], 1.0f);
     });
-    report.numbers.emplace_back("scratches", static_cast<double>(starts.size()));
+    report.numbers.emplace_back("scratches", static_cast<double>(drawn));
     return report;
-  }
-
-  // Widths beyond one cell spread over neighbours, ring by ring.
-  void stamp(const Surface& surface, std::uint32_t cell, float press, Field<float>& cut) const {
-    cut[cell] = std::max(cut[cell], press);
-    if (width <= 1.5) return;
-    for (const std::uint32_t n : around(surface, cell))
-      if (surface.is_owned(n)) cut[n] = std::max(cut[n], press);
   }
 };
 

@@ -57,14 +57,6 @@ OperatorReport apply(const OperatorEntry& entry, CoatedMetal& metal, const Opera
   }
 }
 
-double years_of(const OperatorEntry& entry, const ParameterValues& values) {
-  for (const auto& [name, value] : values)
-    if (entry.name == "age" && name == "years") return std::get<double>(value);
-  for (const ParameterInfo& p : entry.parameters)
-    if (entry.name == "age" && p.name == "years") return std::get<double>(p.default_value);
-  return 0.0;
-}
-
 }  // namespace
 
 void check_timeline(const OperatorCatalogue& operators, std::span<const TimelineStep> steps,
@@ -99,7 +91,7 @@ std::vector<TimelineRecord> run_timeline(const OperatorCatalogue& operators, con
     TimelineRecord record{steps[k].op, 0.0, {}, {}, 0.0};
     record.report = apply(entry, metal, setup, given.parameters, steps[k]);
     show_ghosts(surface, metal);
-    years += years_of(entry, given.parameters);
+    years += record.report.years;
     record.years = years;
     record.numbers = measure(surface, metal);
     record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

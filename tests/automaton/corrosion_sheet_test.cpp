@@ -25,13 +25,7 @@ Mesh random_sheet(double spacing, unsigned seed) {
     const double dx = 0.5 * uniform() * (i > 0 && i < n), dy = 0.5 * uniform() * (j > 0 && j < n);
     return glm::dvec3((i + dx) * step, (j + dy) * step, 0.0);
   });
-  for (std::size_t q = 0; q < m.triangles.size(); q += 2)
-    if (engine() & 1u) {
-      const auto a = m.triangles[q][0], b = m.triangles[q][1], c = m.triangles[q][2],
-                 d = m.triangles[q + 1][2];
-      m.triangles[q] = {a, b, d};
-      m.triangles[q + 1] = {b, c, d};
-    }
+  shapes::flip_diagonals(m, engine);
   return m;
 }
 

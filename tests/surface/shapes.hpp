@@ -66,6 +66,17 @@ inline Mesh cylinder(double radius, double length, int sides) {
   });
 }
 
+/// Turns the diagonal of each square of a grid, by chance.
+inline void flip_diagonals(Mesh& m, std::mt19937& engine) {
+  for (std::size_t q = 0; q < m.triangles.size(); q += 2)
+    if (engine() & 1u) {
+      const auto a = m.triangles[q][0], b = m.triangles[q][1], c = m.triangles[q][2],
+                 d = m.triangles[q + 1][2];
+      m.triangles[q] = {a, b, d};
+      m.triangles[q + 1] = {b, c, d};
+    }
+}
+
 /// A flat random triangulation about the origin: a square grid of side `spacing`, jittered, random diagonals,
 /// turned by an angle of its own, so that no two frames agree.
 inline Mesh random_plane(double spacing, double radius, unsigned seed) {
@@ -77,13 +88,7 @@ inline Mesh random_plane(double spacing, double radius, unsigned seed) {
     const double x = (i - n / 2 + 0.5 * uniform()) * spacing, y = (j - n / 2 + 0.5 * uniform()) * spacing;
     return glm::dvec3(x * std::cos(turn) - y * std::sin(turn), x * std::sin(turn) + y * std::cos(turn), 0.0);
   });
-  for (std::size_t q = 0; q < m.triangles.size(); q += 2)
-    if (engine() & 1u) {
-      const auto a = m.triangles[q][0], b = m.triangles[q][1], c = m.triangles[q][2],
-                 d = m.triangles[q + 1][2];
-      m.triangles[q] = {a, b, d};
-      m.triangles[q + 1] = {b, c, d};
-    }
+  flip_diagonals(m, engine);
   return m;
 }
 

@@ -64,6 +64,8 @@ TEST(Timeline, StopsWhenTold) {
                            {[](std::size_t step, double share) { return step == 0 || share < 0.5; }, {}});
   ASSERT_EQ(records.size(), 2u);
   EXPECT_FALSE(records[1].report.complete);
+  EXPECT_GT(records[1].years, 0.0);
+  EXPECT_LT(records[1].years, 9.0);
 }
 
 void expect_refused(const TimelineStep& step, const char* part) {

@@ -21,7 +21,7 @@ struct CrackSettings {
 
 /// The cracks of a surface.
 struct CrackNetwork {
-  Field<float> distance;             ///< [slot] cells to the nearest crack, as far as it counts; ghosts too
+  Field<float> distance;             ///< [slot] cells to the nearest crack, as far as it counts; owned cells
   std::vector<std::uint32_t> cells;  ///< under cracks, in the order in which they opened
   std::uint64_t cracks = 0;
   double length = 0.0;                       ///< of all, model units

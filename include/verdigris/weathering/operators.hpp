@@ -37,6 +37,7 @@ struct OperatorReport {
   std::uint64_t cells = 0;  ///< owned cells it changed
   /// Micrometres over all owned cells, summed: laid on coats, taken off coats, taken off the metal.
   double added = 0.0, removed = 0.0, metal = 0.0;
+  double years = 0.0;                                        ///< that passed
   std::vector<std::pair<std::string, double>> numbers = {};  ///< what it alone can tell
   bool complete = true;                                      ///< false: progress said stop
 };

@@ -24,7 +24,7 @@ struct TimelineStep {
 /// What an operation did, and how the surface stands after it.
 struct TimelineRecord {
   std::string op;
-  double years = 0.0;  ///< since the beginning: those of `age`
+  double years = 0.0;  ///< since the beginning, as operators report them
   OperatorReport report;
   CoatedNumbers numbers;
   double seconds = 0.0;
