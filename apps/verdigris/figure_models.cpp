@@ -9,6 +9,7 @@
 #include "verdigris/picture/normals.hpp"
 #include "verdigris/picture/palette.hpp"
 #include "verdigris/picture/regions.hpp"
+#include "verdigris/surface/ghost_values.hpp"
 #include "verdigris/surface/walk.hpp"
 
 using namespace verdigris;
@@ -21,12 +22,6 @@ Surface surface_of(Mesh mesh, double cells) {
   SurfaceOptions options;
   options.cell_size = cell_size_for(mesh, cells);
   return make_surface(std::move(mesh), options);
-}
-
-void show_on_ghosts(const Surface& surface, std::vector<Rgba8>& colours) {
-  surface.links().for_each([&](std::uint32_t source, std::span<const std::uint32_t> targets) {
-    for (const std::uint32_t target : targets) colours[target] = colours[source];
-  });
 }
 
 template <typename Visit>
@@ -54,7 +49,7 @@ Panel FigureModel::triangles(const std::string& caption) {
     const auto share = static_cast<float>(std::clamp(inside / surface.cell_size() - 0.6, 0.0, 1.0));
     colours[slot] = from_linear(glm::mix(to_linear(ink), to_linear(light_cell), share));
   });
-  show_on_ghosts(surface, colours);
+  copy_to_ghosts(surface, colours);
   Panel panel{caption, renderer.draw(colours, camera)};
   const Mesh& mesh = surface.mesh();
   const std::vector<glm::vec3> normals = corner_normals(mesh, surface.adjacency(), 180.0);
@@ -78,7 +73,7 @@ Image FigureModel::cells() {
     const std::uint32_t column = slot - surface.rows()[row].base;
     if (((column + row) & 1u) != 0) colours[slot] = dark_cell;
   });
-  show_on_ghosts(surface, colours);
+  copy_to_ghosts(surface, colours);
   return renderer.draw(colours, camera);
 }
 

@@ -4,6 +4,7 @@
 
 #include "verdigris/exposure/openness.hpp"
 #include "verdigris/exposure/surface_field.hpp"
+#include "verdigris/surface/ghost_values.hpp"
 #include "verdigris/synthesis/fractal_noise.hpp"
 
 using namespace verdigris;
@@ -15,9 +16,7 @@ std::vector<std::uint8_t> bytes_of(const Surface& surface, const Field<float>& v
   std::transform(values.begin(), values.end(), bytes.begin(), [](float v) {
     return static_cast<std::uint8_t>(std::clamp(v, 0.0f, 1.0f) * 255.0f + 0.5f);
   });
-  surface.links().for_each([&](std::uint32_t source, std::span<const std::uint32_t> targets) {
-    for (const std::uint32_t target : targets) bytes[target] = bytes[source];
-  });
+  copy_to_ghosts(surface, bytes);
   return bytes;
 }
 

@@ -6,10 +6,10 @@
 
 #include "start.hpp"
 #include "verdigris/base/error.hpp"
-#include "verdigris/exposure/ghost_values.hpp"
 #include "verdigris/exposure/mesh_values.hpp"
 #include "verdigris/exposure/surface_field.hpp"
 #include "verdigris/io/read_points.hpp"
+#include "verdigris/surface/ghost_values.hpp"
 #include "verdigris/synthesis/builtin.hpp"
 
 using namespace verdigris;

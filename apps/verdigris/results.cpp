@@ -4,6 +4,7 @@
 
 #include "picture.hpp"
 #include "verdigris/io/write_cells.hpp"
+#include "verdigris/surface/ghost_values.hpp"
 
 using namespace verdigris;
 
@@ -75,13 +76,7 @@ void draw_results(const std::filesystem::path& out, const Surface& surface, cons
   if (surface.barred_edges().empty() || scene.links == LinkKind::projected)
     return write_picture(file, surface, values, labels, scene.picture);
   const Surface open = make_surface(surface.mesh(), {scene.cell_size, scene.links});
-  std::visit(
-      [&](auto& field) {
-        open.links().for_each([&](std::uint32_t source, auto ghosts) {
-          for (const std::uint32_t ghost : ghosts) field[ghost] = field[source];
-        });
-      },
-      values);
+  std::visit([&](auto& field) { copy_to_ghosts(open, field); }, values);
   write_picture(file, open, values, labels, scene.picture);
 }
 

@@ -10,6 +10,7 @@
 #include "verdigris/base/error.hpp"
 #include "verdigris/behaviours/larger_than_life.hpp"
 #include "verdigris/behaviours/packed_life.hpp"
+#include "verdigris/surface/ghost_values.hpp"
 
 namespace verdigris {
 
@@ -51,6 +52,13 @@ class LifeSimulation : public AnySimulation {
 
  protected:
   virtual std::uint64_t advance() = 0;
+  StateArray save_still() const {
+    const std::uint8_t still = still_;
+    return save_numbers("still", std::span(&still, 1));
+  }
+  void restore_still(const SavedState& saved) {
+    still_ = restore_numbers<std::uint8_t>(saved, "still") == std::vector<std::uint8_t>{1};
+  }
   const Surface& surface_;
   bool still_ = false;
 };
@@ -72,19 +80,15 @@ class PackedSimulation final : public LifeSimulation {
     if (name != "alive") throw std::out_of_range(std::string(name));
     Field<std::int32_t> values(surface_.slot_count(), 0);
     for_owned([&](std::uint32_t slot, std::uint32_t bit) { values[slot] = life_.alive(bit); });
-    surface_.links().for_each([&](std::uint32_t source, auto ghosts) {
-      for (const std::uint32_t ghost : ghosts) values[ghost] = values[source];
-    });
+    copy_to_ghosts(surface_, values);
     return values;
   }
   SavedState save() const override {
-    const std::uint8_t still = still_;
-    return {life_.steps(),
-            {save_numbers("alive", std::span(life_.state())), save_numbers("still", std::span(&still, 1))}};
+    return {life_.steps(), {save_numbers("alive", std::span(life_.state())), save_still()}};
   }
   void restore(const SavedState& saved) override {
     life_.restore(restore_numbers<std::uint64_t>(saved, "alive"), saved.step);
-    still_ = restore_numbers<std::uint8_t>(saved, "still") == std::vector<std::uint8_t>{1};
+    restore_still(saved);
   }
 
  private:
@@ -122,22 +126,18 @@ class RangeSimulation final : public LifeSimulation {
   Field<std::int32_t> field(std::string_view name) const override {
     if (name != "alive") throw std::out_of_range(std::string(name));
     Field<std::int32_t> values(life_.alive().begin(), life_.alive().end());
-    surface_.links().for_each([&](std::uint32_t source, auto ghosts) {
-      for (const std::uint32_t ghost : ghosts) values[ghost] = values[source];
-    });
+    copy_to_ghosts(surface_, values);
     return values;
   }
   SavedState save() const override {
-    const std::uint8_t still = still_;
-    return {life_.steps(),
-            {save_cells(surface_, life_.alive()), save_numbers("still", std::span(&still, 1))}};
+    return {life_.steps(), {save_cells(surface_, life_.alive()), save_still()}};
   }
   void restore(const SavedState& saved) override {
     auto alive = restore_cells<std::uint8_t>(surface_, saved, 0);
     if (std::any_of(alive.begin(), alive.end(), [](std::uint8_t a) { return a > 1; }))
       throw InputError("cells", "a state is neither 0 nor 1", "start again without this checkpoint");
     life_ = LargerThanLife(halo_, rule_, std::move(alive), saved.step);
-    still_ = restore_numbers<std::uint8_t>(saved, "still") == std::vector<std::uint8_t>{1};
+    restore_still(saved);
   }
 
  private:

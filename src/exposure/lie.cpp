@@ -13,7 +13,7 @@
 #include "at_cells.hpp"
 #include "sample_mesh.hpp"
 #include "verdigris/base/error.hpp"
-#include "verdigris/exposure/ghost_values.hpp"
+#include "verdigris/surface/ghost_values.hpp"
 
 namespace verdigris {
 

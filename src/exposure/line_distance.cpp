@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -13,7 +14,7 @@
 #include <queue>
 
 #include "verdigris/base/error.hpp"
-#include "verdigris/exposure/ghost_values.hpp"
+#include "verdigris/surface/ghost_values.hpp"
 #include "verdigris/surface/walk.hpp"
 
 namespace verdigris {
@@ -153,18 +154,21 @@ class Growth {
       Motion motion;
     };
     constexpr std::size_t most_visits = 40;
-    std::vector<Visit> queue{{from, {}}};
-    for (std::size_t k = 0; k < queue.size() && queue.size() < most_visits; ++k) {
+    std::array<Visit, most_visits + 3> queue;
+    std::size_t count = 0;
+    queue[count++] = {from, {}};
+    for (std::size_t k = 0; k < count && count < most_visits; ++k) {
       if (queue[k].patch == to) return queue[k].motion;
       for (int edge = 0; edge < 3; ++edge) {
         const std::uint32_t across = unfolding_.across(queue[k].patch, edge);
         if (across == Adjacency::none) continue;
         const std::uint32_t next = across / 3;
-        if (std::any_of(queue.begin(), queue.end(), [&](const Visit& v) { return v.patch == next; }))
+        if (std::any_of(queue.begin(), queue.begin() + count,
+                        [&](const Visit& v) { return v.patch == next; }))
           continue;
         const Motion m =
             unfold(surface_.frame(queue[k].patch), edge, surface_.frame(next), unfolding_.frame_edge(across));
-        queue.push_back({next, then(queue[k].motion, m)});
+        queue[count++] = {next, then(queue[k].motion, m)};
       }
     }
     return std::nullopt;

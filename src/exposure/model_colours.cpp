@@ -6,7 +6,7 @@
 
 #include "at_cells.hpp"
 #include "verdigris/base/error.hpp"
-#include "verdigris/exposure/ghost_values.hpp"
+#include "verdigris/surface/ghost_values.hpp"
 
 namespace verdigris {
 
@@ -21,7 +21,7 @@ auto between_corners(const Surface& surface, std::size_t patch, glm::dvec2 p, Va
   return w.x * corner(0) + w.y * corner(1) + w.z * corner(2);
 }
 
-float sample(const GreyImage& image, glm::dvec2 uv) {
+float sample(const ImageValues& image, glm::dvec2 uv) {
   const double x = uv.x * image.width - 0.5, y = (1.0 - uv.y) * image.height - 0.5;
   const double x0 = std::floor(x), y0 = std::floor(y);
   const auto wrapped = [](double at, int size) {
@@ -63,7 +63,7 @@ Field<float> colour_mask(const Surface& surface, std::string_view channel) {
   return field;
 }
 
-Field<float> image_mask(const Surface& surface, const GreyImage& image) {
+Field<float> image_mask(const Surface& surface, const ImageValues& image) {
   const auto& uv = surface.mesh().corner_uv;
   if (uv.empty())
     throw InputError("image", "the model has no texture coordinates",

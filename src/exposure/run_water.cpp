@@ -5,8 +5,8 @@
 
 #include "soften.hpp"
 #include "verdigris/base/error.hpp"
-#include "verdigris/exposure/ghost_values.hpp"
 #include "verdigris/exposure/water.hpp"
+#include "verdigris/surface/ghost_values.hpp"
 
 namespace verdigris {
 

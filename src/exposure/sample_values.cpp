@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "sample_mesh.hpp"
-#include "verdigris/exposure/ghost_values.hpp"
+#include "verdigris/surface/ghost_values.hpp"
 
 namespace verdigris {
 

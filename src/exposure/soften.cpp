@@ -4,14 +4,14 @@
 #include <limits>
 
 #include "at_cells.hpp"
-#include "verdigris/exposure/ghost_values.hpp"
+#include "verdigris/surface/ghost_values.hpp"
 
 namespace verdigris {
 
 void soften(const Surface& surface, Field<float>& field, int passes) {
   // Slots that hold nothing are not numbers, and left out.
   Field<float> known(field.size(), std::numeric_limits<float>::quiet_NaN());
-  at_cells(surface, [&](std::size_t, std::uint32_t slot, glm::dvec2) { return known[slot] = field[slot]; });
+  each_cell(surface, [&](std::size_t, std::uint32_t slot, glm::dvec2) { known[slot] = field[slot]; });
   for (int pass = 0; pass < passes; ++pass) {
     copy_to_ghosts(surface, known);
     tbb::parallel_for(std::size_t{0}, surface.patch_count(), [&](std::size_t patch) {
@@ -34,7 +34,7 @@ void soften(const Surface& surface, Field<float>& field, int passes) {
         }
       }
     });
-    at_cells(surface, [&](std::size_t, std::uint32_t slot, glm::dvec2) { return known[slot] = field[slot]; });
+    each_cell(surface, [&](std::size_t, std::uint32_t slot, glm::dvec2) { known[slot] = field[slot]; });
   }
   copy_to_ghosts(surface, field);
 }

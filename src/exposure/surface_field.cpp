@@ -1,11 +1,13 @@
 #include "verdigris/exposure/surface_field.hpp"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <vector>
 
-#include "verdigris/exposure/ghost_values.hpp"
+#include "verdigris/surface/ghost_values.hpp"
 
 namespace verdigris {
 
@@ -38,28 +40,34 @@ Field<float> field_on_surface(const Surface& surface, const ScalarField& field,
   const IntoField into = place(surface, field, placement.scale);
   const double footprint = into.factor * surface.cell_size();
   Field<float> values(surface.slot_count(), 0.0f);
-  tbb::parallel_for(std::size_t{0}, surface.patch_count(), [&](std::size_t patch) {
-    const Frame& frame = surface.frame(patch);
-    std::vector<double> x, y, z;
-    std::vector<std::uint32_t> slots;
-    const auto flush = [&] {
-      std::vector<float> found(slots.size());
-      field.evaluate({x, y, z}, footprint, found);
-      for (std::size_t k = 0; k < slots.size(); ++k) values[slots[k]] = found[k];
-      x.clear(), y.clear(), z.clear(), slots.clear();
-    };
-    for (std::uint32_t r = surface.row_begin(patch); r < surface.row_end(patch); ++r) {
-      const Row& row = surface.rows()[r];
-      for (std::uint32_t slot = row.run_begin; slot < row.run_end; ++slot) {
-        const auto column = static_cast<std::int32_t>(slot - row.base);
-        const glm::dvec3 p = into(frame.to_model(surface.centre(surface.grid_row(patch, r), column)));
-        x.push_back(p.x), y.push_back(p.y), z.push_back(p.z), slots.push_back(slot);
-      }
-      // Rows of small triangles are short: they are taken together.
-      if (slots.size() >= 4096) flush();
-    }
-    flush();
-  });
+  // Cells of many triangles are taken together: small ones have a few each, and a field works on batches.
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, surface.patch_count(), 64),
+                    [&](const tbb::blocked_range<std::size_t>& patches) {
+                      constexpr std::size_t batch = 4096;
+                      std::vector<double> x, y, z;
+                      std::vector<std::uint32_t> slots;
+                      std::vector<float> found;
+                      const auto flush = [&] {
+                        found.resize(slots.size());
+                        field.evaluate({x, y, z}, footprint, found);
+                        for (std::size_t k = 0; k < slots.size(); ++k) values[slots[k]] = found[k];
+                        x.clear(), y.clear(), z.clear(), slots.clear();
+                      };
+                      for (std::size_t patch = patches.begin(); patch < patches.end(); ++patch) {
+                        const Frame& frame = surface.frame(patch);
+                        for (std::uint32_t r = surface.row_begin(patch); r < surface.row_end(patch); ++r) {
+                          const Row& row = surface.rows()[r];
+                          for (std::uint32_t slot = row.run_begin; slot < row.run_end; ++slot) {
+                            const auto column = static_cast<std::int32_t>(slot - row.base);
+                            const glm::dvec3 p =
+                                into(frame.to_model(surface.centre(surface.grid_row(patch, r), column)));
+                            x.push_back(p.x), y.push_back(p.y), z.push_back(p.z), slots.push_back(slot);
+                          }
+                          if (slots.size() >= batch) flush();
+                        }
+                      }
+                      flush();
+                    });
   copy_to_ghosts(surface, values);
   return values;
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "verdigris/surface/ghost_values.hpp"
 #include "verdigris/surface/walk.hpp"
 
 namespace verdigris {
@@ -103,10 +104,7 @@ GhostBlends::GhostBlends(const CellBlends& blends) : surface_(blends.surface()) 
 }
 
 void GhostBlends::fill(std::span<float> values, std::span<const glm::vec3> slopes) const {
-  if (slopes.empty())
-    surface_.links().for_each([&](std::uint32_t source, std::span<const std::uint32_t> targets) {
-      for (const std::uint32_t target : targets) values[target] = values[source];
-    });
+  if (slopes.empty()) copy_to_ghosts(surface_, values);
   // A blend may have ghosts of its own patch in it: their error shrinks with each round.
   std::vector<float> next(ghosts_.size());
   for (int round = 0; round < 6; ++round) {

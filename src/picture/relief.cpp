@@ -9,6 +9,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "verdigris/surface/ghost_values.hpp"
+
 namespace verdigris {
 
 Relief ReliefMaker::operator()(std::vector<float> heights) const {
@@ -41,9 +43,7 @@ Relief ReliefMaker::operator()(std::vector<float> heights) const {
             }
           }
         });
-    surface.links().for_each([&](std::uint32_t source, std::span<const std::uint32_t> targets) {
-      for (const std::uint32_t target : targets) relief.slopes[target] = relief.slopes[source];
-    });
+    copy_to_ghosts(surface, relief.slopes);
   };
   find_slopes();
   ghosts_.fill(relief.heights, relief.slopes);

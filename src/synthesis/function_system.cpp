@@ -120,7 +120,9 @@ double AttractorDistance::operator()(const glm::dvec3& p, double most) const {
     AffineMap map;
     double nearest;  // no point of it is nearer
   };
-  std::vector<Image> open;
+  // Kept from point to point: fields ask for millions.
+  thread_local std::vector<Image> open;
+  open.clear();
   const auto image = [&](const AffineMap& map) {
     return Image{map, glm::distance(map(ball_.centre), p) - map.weight * ball_.radius};
   };

@@ -64,7 +64,9 @@ std::unique_ptr<ScalarField> density_field(const FunctionSystem& system, int sid
     low = glm::min(low, glm::dvec2(p));
     high = glm::max(high, glm::dvec2(p));
   }
-  const double extent = 1.05 * std::max({high.x - low.x, high.y - low.y, 1e-9});
+  // A set may be a single point.
+  const double least = 1e-9 * (1.0 + glm::length(0.5 * (low + high)));
+  const double extent = 1.05 * std::max({high.x - low.x, high.y - low.y, least});
   const glm::dvec2 origin = 0.5 * (low + high) - 0.5 * extent;
   std::vector<double> counts(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 0.0);
   // Far from the origin points are coarser than the squares of a small set: some would miss the grid.
@@ -74,11 +76,10 @@ std::unique_ptr<ScalarField> density_field(const FunctionSystem& system, int sid
   for (const glm::dvec3& p : points)
     counts[nearest(p.y - origin.y) * static_cast<std::size_t>(side) + nearest(p.x - origin.x)] += 1.0;
   for (double& count : counts) count = std::log1p(count);
-  auto field = std::make_unique<synthesis::GridField>(synthesis::to_unit_range(counts), side, side,
-                                                      synthesis::Beyond::zero);
-  field->set_window(
-      {{origin.x, origin.y, -0.5 * extent}, {origin.x + extent, origin.y + extent, 0.5 * extent}});
-  return field;
+  const Window window{{origin.x, origin.y, -0.5 * extent},
+                      {origin.x + extent, origin.y + extent, 0.5 * extent}};
+  return std::make_unique<synthesis::GridField>(synthesis::to_unit_range(counts), side, side,
+                                                synthesis::Beyond::zero, window);
 }
 
 struct FunctionSystemParameters {

@@ -29,12 +29,14 @@ void spline_weights(double t, double (&w)[4]) {
 
 // Far out, indices would not fit: whole periods are taken off first.
 double folded(double x, Beyond beyond) {
+  if (!std::isfinite(x)) return beyond == Beyond::zero ? -1.0 : 0.0;
   return beyond == Beyond::zero ? std::clamp(x, -1.0, 2.0) : x - 2.0 * std::floor(0.5 * x);
 }
 
 }  // namespace
 
-GridField::GridField(std::vector<float> values, int columns, int rows, Beyond beyond) : beyond_(beyond) {
+GridField::GridField(std::vector<float> values, int columns, int rows, Beyond beyond, const Window& window)
+    : beyond_(beyond), window_(window) {
   levels_.push_back({std::move(values), columns, rows});
   while (levels_.back().columns % 2 == 1 && levels_.back().columns > 3 &&
          (rows == 1 || (levels_.back().rows % 2 == 1 && levels_.back().rows > 3)))
@@ -71,17 +73,11 @@ double GridField::sample(const Level& level, double x, double y) const {
   double wx[4], wy[4];
   spline_weights(x - column, wx);
   spline_weights(y - row, wy);
-  // Points may lie any distance off the grid, or nowhere where it has no extent: a few cells off is as far as
-  // any.
-  const auto index = [](double at, int count) {
-    return at >= -8.0 ? static_cast<int>(std::min(at, static_cast<double>(count) + 8.0)) : -8;
-  };
   int columns[4];
-  for (int i = 0; i < 4; ++i)
-    columns[i] = inside(index(column, level.columns) - 1 + i, level.columns, beyond_);
+  for (int i = 0; i < 4; ++i) columns[i] = inside(static_cast<int>(column) - 1 + i, level.columns, beyond_);
   double sum = 0.0;
   for (int j = 0; j < 4; ++j) {
-    const int r = inside(index(row, level.rows) - 1 + j, level.rows, beyond_);
+    const int r = inside(static_cast<int>(row) - 1 + j, level.rows, beyond_);
     if (r < 0 || wy[j] == 0.0) continue;
     const float* values =
         level.values.data() + static_cast<std::size_t>(r) * static_cast<std::size_t>(level.columns);

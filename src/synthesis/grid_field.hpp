@@ -19,12 +19,12 @@ enum class Beyond : std::uint8_t {
 /// field. Coarser grids, each half the one before, serve wide footprints.
 class GridField final : public ScalarField {
  public:
-  GridField(std::vector<float> values, int columns, int rows, Beyond beyond);
+  /// `window`: where the unit square lies in space, affine, axis by axis; with an extent along x and y.
+  GridField(std::vector<float> values, int columns, int rows, Beyond beyond,
+            const Window& window = {{0.0, 0.0, 0.0}, {1.0, 1.0, 0.0}});
 
   ValueRange range() const override { return {0.0f, 1.0f, true}; }
   Window window() const override { return window_; }
-  /// Where the unit square lies in space; affine, axis by axis.
-  void set_window(const Window& window) { window_ = window; }
 
  private:
   struct Level {
@@ -37,7 +37,7 @@ class GridField final : public ScalarField {
 
   std::vector<Level> levels_;
   Beyond beyond_;
-  Window window_{{0.0, 0.0, 0.0}, {1.0, 1.0, 0.0}};
+  Window window_;
 };
 
 /// Shifts and scales to 0..1; equal values become 0.5.

@@ -123,7 +123,7 @@ Mesh make_tubes(std::span<const TurtleLine> lines, const TubeOptions& options) {
   };
   for (const TurtleLine& line : lines) {
     for (std::size_t k = 0; k < line.points.size(); ++k) {
-      const Node node{line.points[k], 0.5 * std::max(line.widths[k], options.least_width)};
+      const Node node{line.points[k], 0.5 * line.widths[k]};
       if (!nodes.empty() && glm::distance(nodes.back().point, node.point) <= 1e-9 * node.radius) continue;
       if (nodes.size() > 1) {
         const glm::dvec3 before = glm::normalize(nodes.back().point - nodes[nodes.size() - 2].point);

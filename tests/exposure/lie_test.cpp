@@ -58,16 +58,16 @@ TEST(ModelColours, AreInterpolatedAndRefusedWhenThereAreNone) {
 
 TEST(ModelColours, ImagesLieByTextureCoordinates) {
   Mesh mesh = shapes::square(1.0);
-  const GreyImage image{2, 2, {0.0f, 1.0f, 0.0f, 1.0f}};  // dark left, bright right
+  const ImageValues image{2, 2, {0.0f, 1.0f, 0.0f, 0.5f}};  // bright at the upper right
   EXPECT_THROW(image_mask(shapes::with_cells(mesh, 100), image), InputError);
   for (const glm::uvec3& t : mesh.triangles)
     for (int k = 0; k < 3; ++k) mesh.corner_uv.push_back({mesh.positions[t[k]].x, mesh.positions[t[k]].y});
   const Surface surface = shapes::with_cells(mesh, 1'000);
   const Field<float> grey = image_mask(surface, image);
   shapes::each_cell(surface, [&](std::uint32_t slot) {
-    const double x = surface.position(slot).x;
-    if (x > 0.25 && x < 0.75) {
-      ASSERT_NEAR(grey[slot], 2.0 * x - 0.5, 1e-5);
+    const glm::dvec3 p = surface.position(slot);
+    if (p.x > 0.25 && p.x < 0.75 && p.y > 0.25 && p.y < 0.75) {
+      ASSERT_NEAR(grey[slot], (2.0 * p.x - 0.5) * (0.5 + 0.5 * (2.0 * p.y - 0.5)), 1e-5);
     }
   });
   EXPECT_THROW(image_mask(surface, {}), InputError);

@@ -54,15 +54,22 @@ TEST(Water, IsConservedAndNeverRunsUp) {
     }
 }
 
-TEST(Water, OfRealModelsIsConservedToo) {
-  for (const char* file : {VERDIGRIS_MESHES "/cup.obj", VERDIGRIS_SHARED_MESHES "/stanford-bunny.obj"}) {
-    if (!std::filesystem::exists(file)) continue;
-    const Surface surface = shapes::with_cells(read_mesh(file), 60'000);
-    const WaterPaths paths = make_water_paths(surface, {});
-    expect_never_up(surface, paths, {0, 1, 0});
-    const Field<float> rain(surface.slot_count(), 1.0f);
-    expect_balanced(run_water(surface, paths, rain, rain).balance);
-  }
+void expect_conserved_on(const std::string& file) {
+  const Surface surface = shapes::with_cells(read_mesh(file), 60'000);
+  const WaterPaths paths = make_water_paths(surface, {});
+  expect_never_up(surface, paths, {0, 1, 0});
+  const Field<float> rain(surface.slot_count(), 1.0f);
+  expect_balanced(run_water(surface, paths, rain, rain).balance);
+}
+
+TEST(Water, OfTheCupIsConservedToo) {
+  expect_conserved_on(VERDIGRIS_MESHES "/cup.obj");
+}
+
+TEST(Water, OfTheBunnyIsConservedToo) {
+  const std::string file = VERDIGRIS_SHARED_MESHES "/stanford-bunny.obj";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no bunny";
+  expect_conserved_on(file);
 }
 
 TEST(Water, RunsAlongTheGradientWhateverTheTriangulation) {

@@ -15,7 +15,7 @@ namespace verdigris {
 Field<float> colour_mask(const Surface& surface, std::string_view channel);
 
 /// Grey values of an image, rows from top to bottom.
-struct GreyImage {
+struct ImageValues {
   int width = 0, height = 0;
   std::vector<float> values;  ///< [y * width + x]
 };
@@ -23,6 +23,6 @@ struct GreyImage {
 /// An image by the model's texture coordinates, [slot]: bilinear between the centres of pixels, repeated
 /// beyond 0..1; (0, 0) is the lower left corner. No filtering where pixels are finer than cells. Throws
 /// InputError when the model has no texture coordinates or the image no pixels.
-Field<float> image_mask(const Surface& surface, const GreyImage& image);
+Field<float> image_mask(const Surface& surface, const ImageValues& image);
 
 }  // namespace verdigris

@@ -41,8 +41,6 @@ struct WaterPaths {
   std::vector<std::uint32_t> slots;  ///< [cell]
   std::vector<Cell> cells;
   double cell_size = 0.0;
-
-  std::size_t bytes() const { return slots.size() * sizeof(std::uint32_t) + cells.size() * sizeof(Cell); }
 };
 
 /// Follows the steepest way from each cell, straight down in the planes of triangles, along edges where two

@@ -9,8 +9,7 @@
 namespace verdigris {
 
 struct TubeOptions {
-  int sides = 8;             ///< of the polygon across a tube, 3 to 64
-  double least_width = 0.0;  ///< model units; thinner lines are drawn so wide
+  int sides = 8;  ///< of the polygon across a tube, 3 to 64
 };
 
 /// A tube round each line: each is closed, oriented outwards and manifold, and no two have a vertex in

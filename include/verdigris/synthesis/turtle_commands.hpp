@@ -12,7 +12,7 @@
 namespace verdigris {
 
 /// What a symbol does.
-enum class TurtleCommand : std::uint8_t { none, draw, move, back, turn, pitch, roll, width, push, pop };
+enum class TurtleCommand : std::uint8_t { none, draw, move, turn, pitch, roll, width, push, pop };
 
 /// Throws InputError when a measure of a drawing (a length, a width, a coordinate, an angle) is not finite or
 /// beyond 1e12: squares and products of such still are numbers.
@@ -84,7 +84,7 @@ void command_turtle(const Word& word, const TurtleSettings& settings, Turtle& tu
   is("]", TurtleCommand::pop);
   is(settings.draw, TurtleCommand::draw);
   is(settings.move, TurtleCommand::move);
-  is(settings.back, TurtleCommand::back, -1.0);
+  is(settings.back, TurtleCommand::draw, -1.0);
 
   for (std::size_t k = 0; k < word.size(); ++k) {
     const auto symbol = static_cast<unsigned char>(word.symbols[k]);
@@ -97,7 +97,6 @@ void command_turtle(const Word& word, const TurtleSettings& settings, Turtle& tu
                                                          : settings.angle);
     switch (command) {
       case TurtleCommand::draw:
-      case TurtleCommand::back:
         check_measure("a length", length);
         turtle.forward(length, true);
         break;
