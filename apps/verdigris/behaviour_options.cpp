@@ -86,7 +86,7 @@ void add_barrier_options(CLI::App& command, const std::shared_ptr<BehaviourOptio
       .add_option("--barrier-angle", barrier.angle,
                   "Growth does not cross edges whose faces turn by more degrees")
       ->type_name("DEG")
-      ->check(CLI::Range(0.0, 180.0));
+      ->check(within(0.0, 180.0));
   command
       .add_option("--barrier-mask", options->mask,
                   "File of numbers, one a vertex or a face of the model, that bars growth")
@@ -104,10 +104,9 @@ void add_barrier_options(CLI::App& command, const std::shared_ptr<BehaviourOptio
 void finish_barrier(BehaviourOptions& options) {
   BarrierPlan& barrier = options.scene.barrier;
   barrier.mask = options.mask;
-  for (const double value : {barrier.angle, barrier.threshold})
-    if (!std::isfinite(value))
-      throw InputError("--barrier-angle, --barrier-threshold", fmt::format("{} is not a number", value),
-                       "give a number");
+  if (!std::isfinite(barrier.threshold))
+    throw InputError("--barrier-threshold", fmt::format("{} is not a number", barrier.threshold),
+                     "give a number");
   check_mask_on(barrier.mask_on, "--barrier-mask-on");
 }
 

@@ -17,18 +17,6 @@ using namespace verdigris;
 
 namespace {
 
-// CLI::Range takes what is no number for one in range.
-CLI::Validator within(double least, double greatest) {
-  return CLI::Validator(
-      [=](std::string& text) {
-        double value = 0.0;
-        return CLI::detail::lexical_cast(text, value) && value >= least && value <= greatest
-                   ? std::string()
-                   : fmt::format("'{}' is not a number from {:g} to {:g}", text, least, greatest);
-      },
-      fmt::format("{:g} .. {:g}", least, greatest));
-}
-
 // The material and the clock say what these are.
 constexpr std::array<std::string_view, 4> not_asked{"metal", "k1", "k2", "k3"};
 

@@ -18,6 +18,10 @@
 
 using namespace verdigris;
 
+namespace {
+constexpr std::uint64_t most_rows = 2000;  // of statistics.csv, about
+}
+
 Material prepare_corrosion(Scene& scene) {
   const CorrosionPlan& plan = scene.corrosion;
   if (scene.behaviour != "corrosion")
@@ -26,6 +30,10 @@ Material prepare_corrosion(Scene& scene) {
   if (!(plan.step_years > 0.0))
     throw InputError("material", "the length of a step is not given",
                      "write step_years, or give --step-length");
+  // A patina grows on for ever.
+  if (scene.steps == 0)
+    throw InputError("steps", "a material that ages in years needs to know when to end",
+                     "write steps under [run]");
   Material material = find_material(plan.material);
   if (scene.picture.draw) check_patina(material);
   const ExposureClass exposure = exposure_class_named(plan.exposure);
@@ -49,9 +57,16 @@ std::vector<CorrosionNumbers> corrosion_history(const CorrosionGrowth& growth, c
                                                 const CorrosionPlan& plan) {
   CorrosionStatistics statistics(scale_of(material, exposure_class_named(plan.exposure), plan.step_years));
   std::vector<CorrosionNumbers> numbers;
-  const std::uint64_t last = growth.steps(), every = std::max<std::uint64_t>(1, last / 30);
-  for (std::uint64_t step = 0; step <= last; ++step)
-    numbers.push_back(statistics.measure_at(growth, step, step % every == 0 || step == last));
+  // Each row costs as much as steps were made: of very long runs some two thousand are enough.
+  const std::uint64_t last = growth.steps(), every = std::max<std::uint64_t>(1, last / 30),
+                      stride = 1 + last / most_rows;
+  std::uint64_t next_spots = 0;
+  for (std::uint64_t step = 0;; step = std::min(step + stride, last)) {
+    const bool with_spots = step >= next_spots || step == last;
+    if (with_spots) next_spots = step / every * every + every;
+    numbers.push_back(statistics.measure_at(growth, step, with_spots));
+    if (step == last) break;
+  }
   return numbers;
 }
 

@@ -64,7 +64,7 @@ bool grow(AnySimulation& simulation, const Scene& scene, std::uint64_t cells, Pr
   std::uint64_t changed = 0;
   const auto ended = [&] {
     // Patina grows on where nothing more can corrode.
-    const bool still = simulation.finished() && (scene.corrosion.empty() || scene.steps == 0);
+    const bool still = simulation.finished() && scene.corrosion.empty();
     return still || (scene.steps != 0 && simulation.steps() >= scene.steps);
   };
   while (!ended()) {

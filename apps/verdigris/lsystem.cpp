@@ -225,8 +225,8 @@ void add_lsystem(CLI::App& app) {
       ->check(CLI::Range(0, 1000));
   command->add_option("--angle", options->angle, "Angle of + and - (default: as it says)")
       ->type_name("DEG")
-      ->check(CLI::Range(-360.0, 360.0));
-  const auto length = CLI::Range(1e-12, 1e12);
+      ->check(within(-360.0, 360.0));
+  const auto length = within(1e-12, 1e12);
   auto* step = command->add_option("--step", options->step, "Length of F, model units")->check(length);
   command->add_option("--extent", options->extent, "Length of the whole drawing's longest side instead")
       ->type_name("LENGTH")

@@ -66,6 +66,18 @@ std::string sentence(std::string text) {
   return text;
 }
 
+CLI::Validator within(double least, double greatest) {
+  return CLI::Validator(
+      [=](std::string& text) {
+        double value = 0.0;
+        std::string rest;
+        return leading_number(text, value, rest) && rest.empty() && value >= least && value <= greatest
+                   ? std::string()
+                   : fmt::format("'{}' is not a number from {:g} to {:g}", text, least, greatest);
+      },
+      fmt::format("{:g} .. {:g}", least, greatest));
+}
+
 std::string short_text(const verdigris::ParameterValue& value) {
   const auto* number = std::get_if<double>(&value);
   return number != nullptr ? fmt::format("{:.4g}", *number) : std::get<std::string>(value);

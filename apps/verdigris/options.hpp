@@ -27,6 +27,9 @@ void parse_size(const std::string& text, int& width, int& height);
 /// WxH in cells, as in 4096x4096. Throws InputError.
 void parse_torus(const std::string& text, int& width, int& height);
 
+/// A check for numbers from `least` to `greatest`. CLI::Range takes what is no number for one in range.
+CLI::Validator within(double least, double greatest);
+
 /// A parameter's value for help texts: numbers to four digits.
 std::string short_text(const verdigris::ParameterValue& value);
 

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "verdigris/base/error.hpp"
+#include "verdigris/surface/ghost_values.hpp"
 
 namespace verdigris::corrosion {
 
@@ -27,13 +28,6 @@ void for_cells(const Surface& surface, Visit&& visit) {
                         for (std::uint32_t slot = rows[r].run_begin; slot < rows[r].run_end; ++slot)
                           visit(rows.data()[r], slot);
                     });
-}
-
-template <typename T>
-void show_ghosts(const Surface& surface, Field<T>& values) {
-  surface.links().for_each([&](std::uint32_t source, auto ghosts) {
-    for (const std::uint32_t ghost : ghosts) values[ghost] = values[source];
-  });
 }
 
 const Field<float>* checked_mask(const SimulationSetup& setup, const char* name) {
@@ -88,7 +82,7 @@ Field<std::uint8_t> levels_of(const SimulationSetup& setup, const char* name) {
     levels[slot] =
         static_cast<std::uint8_t>(std::lround(255.0f * (value >= 0.0f ? std::min(value, 1.0f) : 0.0f)));
   });
-  show_ghosts(setup.surface, levels);
+  copy_to_ghosts(setup.surface, levels);
   return levels;
 }
 
@@ -107,7 +101,7 @@ Field<Word> first_state(const SimulationSetup& setup, const CorrosionParameters&
     state[slot] = CorrosionRule::sound_word(strong);
   });
   for (const Seed& seed : setup.seeds) state[seed.slot] = CorrosionRule::corroded_word(0, state[seed.slot]);
-  show_ghosts(surface, state);
+  copy_to_ghosts(surface, state);
   std::vector<std::uint8_t> holds(surface.slot_count(), 0);
   for_cells(surface, [&](const Row& row, std::uint32_t slot) {
     if (!CorrosionRule::sound(state[slot])) return;

@@ -34,9 +34,10 @@ CorrosionNumbers CorrosionStatistics::measure_at(const CorrosionGrowth& growth, 
   numbers.years = static_cast<double>(numbers.step) * scale_.step_years;
   numbers.new_cells = growth.births().at(step);
   const auto depth = [&](std::uint64_t age, double rate) {
-    if (rate != 1.0) return scale_.depth(age, rate);
-    while (depth_at_age_.size() <= age) depth_at_age_.push_back(scale_.depth(depth_at_age_.size(), 1.0));
-    return depth_at_age_[age];
+    // Laws take powers; ages and rates come again and again.
+    std::vector<double>& known = depth_at_age_[static_cast<std::size_t>(std::lround(rate * 255.0))];
+    while (known.size() <= age) known.push_back(scale_.depth(known.size(), rate));
+    return known[age];
   };
   double sum = 0.0;
   growth.visit_cohorts(step, [&](std::uint64_t age, double rate, std::uint64_t cells) {

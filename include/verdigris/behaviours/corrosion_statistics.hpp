@@ -1,6 +1,7 @@
 #pragma once
 // Corrosion in numbers, as a laboratory would report it.
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -60,7 +61,7 @@ class CorrosionStatistics {
 
  private:
   CorrosionScale scale_;
-  std::vector<double> depth_at_age_;  // rate 1
+  std::array<std::vector<double>, 256> depth_at_age_;  // [rate * 255][age in steps]
 };
 
 /// The spots of corrosion as they are now, or were after step `at`.
