@@ -19,6 +19,13 @@ Canvas::Canvas(int width, int height, Rgba8 background)
       top_(height),
       bottom_(0) {}
 
+Canvas::Canvas(const Image& image) : Canvas(image.width, image.height, Rgba8{}) {
+  for (std::size_t k = 0; k < linear_.size(); ++k) {
+    const std::uint8_t* p = image.rgba.data() + 4 * k;
+    linear_[k] = to_linear(Rgba8{p[0], p[1], p[2], 255});
+  }
+}
+
 void Canvas::fill(glm::dvec2 from, glm::dvec2 to, Rgba8 colour) {
   const glm::dvec2 low = glm::min(from, to), high = glm::max(from, to);
   const auto overlap = [](double a, double b, int pixel) {

@@ -16,6 +16,8 @@ namespace verdigris {
 class Canvas {
  public:
   Canvas(int width, int height, Rgba8 background);
+  /// Over a picture, whose alpha does not count.
+  explicit Canvas(const Image& image);
 
   void fill(glm::dvec2 from, glm::dvec2 to, Rgba8 colour);
   /// A line through `points` with round ends and joints. Where it touches itself it is not darker.
