@@ -38,6 +38,8 @@ struct Age {
     v("lift", lift, 1e-3, 1e6, "um", "of product that breaks 63 % of the bond of a coat above it");
   }
 
+  double duration() const { return years; }
+
   OperatorReport apply(CoatedMetal& metal, const OperatorSetup& setup) const {
     const Surface& surface = setup.surface;
     Field<float> open(surface.slot_count(), 0.0f);
@@ -49,8 +51,15 @@ struct Age {
         coat.adhesion.assign(surface.slot_count(), 1.0f);
     OperatorReport report;
     report.years = years;
-    const Field<float> time =
-        spread > 0.0 ? years_in_spots(metal, setup, open, report) : years_everywhere(metal, setup, open);
+    const Field<float> time = spread > 0.0 ? years_in_spots(metal, setup, open, report)
+                                           : years_everywhere(metal, setup, open, report);
+    corrode(metal, surface, time, report);
+    return report;
+  }
+
+  // Lets each cell corrode for its time.
+  void corrode(CoatedMetal& metal, const Surface& surface, const Field<float>& time,
+               OperatorReport& report) const {
     const ExposureClass air = exposure_class_named(exposure);
     Field<float> lost(surface.slot_count(), 0.0f), grown(surface.slot_count(), 0.0f);
     for_owned(surface, [&](std::uint32_t slot) {
@@ -65,7 +74,15 @@ struct Age {
       report.added += static_cast<double>(grown[slot]);
       report.cells += time[slot] >= 0.0f;
     });
-    return report;
+  }
+
+  // The state of a moment: as it will be after the whole, with the time that has passed.
+  void show(const CoatedMetal& metal, const OperatorSetup& setup, std::size_t moment,
+            const Field<float>& time) const {
+    CoatedMetal then = metal;
+    OperatorReport ignored;
+    corrode(then, setup.surface, time, ignored);
+    setup.show(moment, then);
   }
 
   // What the laws add between two ages.
@@ -99,14 +116,26 @@ struct Age {
 
   // [slot] years, -1: sound. Bare metal tarnishes everywhere, each cell from its own time on.
   Field<float> years_everywhere(const CoatedMetal& metal, const OperatorSetup& setup,
-                                const Field<float>& open) const {
+                                const Field<float>& open, OperatorReport& report) const {
+    for (std::size_t k = 0; k < setup.moments.size(); ++k) {
+      show(metal, setup, k, years_until(metal, setup, open, setup.moments[k] * years));
+      if (setup.go_on(setup.moments[k])) continue;
+      report.complete = false;
+      report.years = setup.moments[k] * years;
+      break;
+    }
+    return years_until(metal, setup, open, report.years);
+  }
+
+  Field<float> years_until(const CoatedMetal& metal, const OperatorSetup& setup, const Field<float>& open,
+                           double now) const {
     const Field<float>*wet = setup.mask("wetness"), *seeding = setup.mask("seeding");
     Field<float> time(setup.surface.slot_count(), -1.0f);
     for_owned(setup.surface, [&](std::uint32_t slot) {
       const bool begun = metal.corroded[slot] >= 0.0f;
       if (!begun && static_cast<double>(open[slot]) * OperatorSetup::at(seeding, slot) < 0.2) return;
       const double waits = begun ? 0.0 : onset * uniform(setup.seed, 0, slot, onset_purpose);
-      if (years > waits) time[slot] = static_cast<float>(effective(wet, open, slot, years - waits));
+      if (now > waits) time[slot] = static_cast<float>(effective(wet, open, slot, now - waits));
     });
     return time;
   }
@@ -139,12 +168,31 @@ struct Age {
     parameters.new_seeds = std::min(0.5, spots * step_years / static_cast<double>(surface.owned_count()));
     parameters.most_seeds = 4'000'000'000u;
     parameters.thickness.k1 = 0.0;  // metal is taken by the material's law, below
-    if (growth.seeds.empty() && parameters.new_seeds <= 0.0) return Field<float>(surface.slot_count(), -1.0f);
+    if (growth.seeds.empty() && parameters.new_seeds <= 0.0) {
+      const Field<float> never(surface.slot_count(), -1.0f);
+      for (std::size_t k = 0; k < setup.moments.size(); ++k) show(metal, setup, k, never);
+      return never;
+    }
     CorrosionGrowth run(growth, parameters);
+    const auto times = [&] {
+      const Field<std::int32_t> ages = run.ages();
+      Field<float> time(surface.slot_count(), -1.0f);
+      for_owned(surface, [&](std::uint32_t slot) {
+        if (ages[slot] >= 0)
+          time[slot] = static_cast<float>(effective(wet, open, slot, ages[slot] * step_years));
+      });
+      return time;
+    };
     std::uint64_t done = 0;
+    std::size_t moment = 0;
     while (done < steps) {
       run.step();
       ++done;
+      // A moment between two steps is that of the second.
+      for (; moment < setup.moments.size() &&
+             setup.moments[moment] * static_cast<double>(steps) <= static_cast<double>(done);
+           ++moment)
+        show(metal, setup, moment, times());
       if (!setup.go_on(static_cast<double>(done) / static_cast<double>(steps))) {
         report.complete = false;
         report.years = static_cast<double>(done) * step_years;
@@ -152,13 +200,7 @@ struct Age {
       }
     }
     report.numbers = {{"spots", static_cast<double>(run.seeds_placed())}};
-    const Field<std::int32_t> ages = run.ages();
-    Field<float> time(surface.slot_count(), -1.0f);
-    for_owned(surface, [&](std::uint32_t slot) {
-      if (ages[slot] >= 0)
-        time[slot] = static_cast<float>(effective(wet, open, slot, ages[slot] * step_years));
-    });
-    return time;
+    return times();
   }
 };
 

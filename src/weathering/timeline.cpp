@@ -57,7 +57,44 @@ OperatorReport apply(const OperatorEntry& entry, CoatedMetal& metal, const Opera
   }
 }
 
+// Shows the moments of a timeline as its operations come to them.
+class Moments {
+ public:
+  Moments(const Surface& surface, const TimelineListener& listener)
+      : surface_(surface), listener_(listener), count_(listener.at ? listener.moments.size() : 0) {}
+
+  // Those up to a place whose state is at hand.
+  void until(double place, const CoatedMetal& metal) {
+    for (; next_ < count_ && listener_.moments[next_] <= place; ++next_) listener_.at(next_, metal);
+  }
+  // Leaves those inside operation `step` to it.
+  void give(OperatorSetup& setup, std::size_t step) const {
+    const auto begin = static_cast<double>(step);
+    for (std::size_t k = next_; k < count_ && listener_.moments[k] < begin + 1.0; ++k)
+      setup.moments.push_back(listener_.moments[k] - begin);
+    setup.show = [this, first = next_](std::size_t moment, CoatedMetal& metal) {
+      show_ghosts(surface_, metal);
+      listener_.at(first + moment, metal);
+    };
+  }
+  void given(const OperatorSetup& setup) { next_ += setup.moments.size(); }
+
+ private:
+  const Surface& surface_;
+  const TimelineListener& listener_;
+  std::size_t count_, next_ = 0;
+};
+
 }  // namespace
+
+std::vector<double> timeline_years(const OperatorCatalogue& operators, std::span<const TimelineStep> steps) {
+  std::vector<double> years;
+  for (const TimelineStep& step : steps) {
+    const OperatorEntry& entry = entry_of(operators, step);
+    years.push_back(entry.years ? entry.years(given_by(entry, step).parameters) : 0.0);
+  }
+  return years;
+}
 
 void check_timeline(const OperatorCatalogue& operators, std::span<const TimelineStep> steps,
                     std::span<const std::string> mask_names) {
@@ -76,7 +113,10 @@ std::vector<TimelineRecord> run_timeline(const OperatorCatalogue& operators, con
                                          const TimelineListener& listener) {
   std::vector<TimelineRecord> records;
   double years = 0.0;
+  Moments moments(surface, listener);
+  const std::vector<double> durations = timeline_years(operators, steps);
   for (std::size_t k = 0; k < steps.size(); ++k) {
+    moments.until(static_cast<double>(k), metal);
     const auto begin = std::chrono::steady_clock::now();
     const OperatorEntry& entry = entry_of(operators, steps[k]);
     const Given given = given_by(entry, steps[k]);
@@ -88,8 +128,10 @@ std::vector<TimelineRecord> run_timeline(const OperatorCatalogue& operators, con
       setup.masks.push_back(
           {name, masks.evaluate(expression, fmt::format("{}.{}", where_of(steps[k]), name), metal)});
     if (listener.progress) setup.progress = [&](double share) { return listener.progress(k, share); };
+    if (durations[k] > 0.0) moments.give(setup, k);
     TimelineRecord record{steps[k].op, 0.0, {}, {}, 0.0};
     record.report = apply(entry, metal, setup, given.parameters, steps[k]);
+    moments.given(setup);
     show_ghosts(surface, metal);
     years += record.report.years;
     record.years = years;
@@ -100,6 +142,8 @@ std::vector<TimelineRecord> run_timeline(const OperatorCatalogue& operators, con
     if (!records.back().report.complete) break;
     if (listener.progress && !listener.progress(k, 1.0)) break;
   }
+  if (records.size() == steps.size() && (records.empty() || records.back().report.complete))
+    moments.until(static_cast<double>(steps.size()), metal);
   return records;
 }
 

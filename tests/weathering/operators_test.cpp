@@ -332,7 +332,7 @@ TEST(Operators, DescribeThemselvesAndRefuseWhatTheyDoNotKnow) {
   EXPECT_THROW(apply(metal, {s}, "erode", {{"deep", 3.0}}), InputError);
   EXPECT_THROW(apply(metal, {s}, "erode", {{"depth", -3.0}}), InputError);
   OperatorCatalogue open = catalogue;
-  EXPECT_THROW(open.add({"erode", "", {}, {}, {}}), std::invalid_argument);
+  EXPECT_THROW(open.add({"erode", "", {}, {}, {}, {}}), std::invalid_argument);
 }
 
 }  // namespace

@@ -57,11 +57,54 @@ TEST(Timeline, MasksAreFormulasOfTheSurfaceAndItsState) {
   });
 }
 
+// Metal lost and coats, [slot] one after the other.
+std::vector<float> content(const CoatedMetal& metal) {
+  std::vector<float> all = metal.loss;
+  all.insert(all.end(), metal.corroded.begin(), metal.corroded.end());
+  for (const Coat& coat : metal.coats) all.insert(all.end(), coat.thickness.begin(), coat.thickness.end());
+  return all;
+}
+
+TEST(Timeline, ShowsItsMomentsAsRunsThatEndThere) {
+  const Surface s = surface_of(sheet(60.0, 4, 1));
+  for (const double spread : {0.0, 0.2}) {
+    const auto age = [&](double years) {
+      return TimelineStep{"age", {{"years", years}, {"spread", spread}, {"spots", 4.0}, {"onset", 1.0}}, ""};
+    };
+    std::vector<std::vector<float>> shown;
+    TimelineListener listener;
+    listener.moments = {0.0, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0};
+    listener.at = [&](std::size_t k, const CoatedMetal& metal) {
+      ASSERT_EQ(k, shown.size());
+      shown.push_back(content(metal));
+    };
+    CoatedMetal metal = make_coated_metal(s, find_material("copper"));
+    const std::vector<TimelineStep> steps{paint, age(8.0), wear};
+    EXPECT_EQ(timeline_years(builtin_operators(), steps), (std::vector<double>{0.0, 8.0, 0.0}));
+    run(s, metal, steps, listener);
+    ASSERT_EQ(shown.size(), 7u);
+    EXPECT_EQ(shown[6], content(metal));
+    EXPECT_EQ(shown[5], shown[6]);  // wear takes no time
+    // Watching changes nothing.
+    CoatedMetal unseen = make_coated_metal(s, find_material("copper"));
+    run(s, unseen, steps);
+    EXPECT_EQ(content(unseen), content(metal));
+    for (const std::size_t k : {2u, 3u, 4u}) {
+      CoatedMetal until = make_coated_metal(s, find_material("copper"));
+      run(s, until, {paint, age(2.0 * static_cast<double>(k == 4 ? 4 : k - 1))});
+      std::size_t differing = 0;
+      const std::vector<float> ended = content(until);
+      for (std::size_t i = 0; i < ended.size(); ++i) differing += std::abs(ended[i] - shown[k][i]) > 1e-3f;
+      EXPECT_EQ(differing, 0u) << spread << " " << k;
+    }
+  }
+}
+
 TEST(Timeline, StopsWhenTold) {
   const Surface s = surface_of(sheet(60.0, 4, 1));
   CoatedMetal metal = make_coated_metal(s, find_material("bare-steel"));
   const auto records = run(s, metal, {paint, {"age", {{"years", 9.0}, {"spread", 1.0}}, ""}, wear},
-                           {[](std::size_t step, double share) { return step == 0 || share < 0.5; }, {}});
+                           {[](std::size_t step, double share) { return step == 0 || share < 0.5; }});
   ASSERT_EQ(records.size(), 2u);
   EXPECT_FALSE(records[1].report.complete);
   EXPECT_GT(records[1].years, 0.0);

@@ -23,6 +23,10 @@ struct OperatorSetup {
   std::vector<Mask> masks = {};                     ///< those of OperatorEntry::masks given
   glm::dvec3 up{0.0, 1.0, 0.0};                     ///< away from the ground
   std::function<bool(double share)> progress = {};  ///< false: stop here
+  /// Shares of its years, ascending in 0..1, at which an operator that takes time shows the state reached:
+  /// `show` gets the number of the moment and a state whose ghosts are not yet those of their owners.
+  std::vector<double> moments = {};
+  std::function<void(std::size_t moment, CoatedMetal&)> show = {};
 
   /// The values of mask `name`; null when there is none.
   const Field<float>* mask(std::string_view name) const;
@@ -46,7 +50,8 @@ struct OperatorReport {
 struct OperatorEntry {
   std::string name, summary;
   std::vector<ParameterInfo> parameters;
-  std::vector<std::string> masks;  ///< names of the masks it takes
+  std::vector<std::string> masks;                       ///< names of the masks it takes
+  std::function<double(const ParameterValues&)> years;  ///< that it takes; most take none
   std::function<OperatorReport(CoatedMetal&, const OperatorSetup&, const ParameterValues&)> apply;
 };
 
@@ -58,10 +63,17 @@ class OperatorCatalogue {
 
   /// Adds a self-describing operator: a type with `static constexpr const char *name, *summary`, `static
   /// std::vector<std::string> masks()`, `template <typename V> void parameters(V&&)` and `OperatorReport
-  /// apply(CoatedMetal&, const OperatorSetup&) const`, the same bits for any number of threads.
+  /// apply(CoatedMetal&, const OperatorSetup&) const`, the same bits for any number of threads. One that
+  /// takes time has `double duration() const`, years, and shows its moments.
   template <typename O>
   void add() {
     add({O::name, O::summary, describe_parameters<O>(), O::masks(),
+         []([[maybe_unused]] const ParameterValues& values) {
+           if constexpr (requires(const O& o) { o.duration(); })
+             return with_parameters<O>(O::name, values).duration();
+           else
+             return 0.0;
+         },
          [](CoatedMetal& metal, const OperatorSetup& setup, const ParameterValues& values) {
            return with_parameters<O>(O::name, values).apply(metal, setup);
          }});

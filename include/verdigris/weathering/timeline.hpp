@@ -30,13 +30,20 @@ struct TimelineRecord {
   double seconds = 0.0;
 };
 
-/// Who wants to hear of a timeline. Both may be empty.
+/// Who wants to hear of a timeline. All may be empty.
 struct TimelineListener {
   /// Share of operation `step` (from 0) done; false: stop.
   std::function<bool(std::size_t step, double share)> progress = {};
   /// After each operation.
   std::function<void(std::size_t step, const CoatedMetal&, const TimelineRecord&)> after = {};
+  /// Places in the timeline, ascending, that `at` wants to see: 2.25 is a quarter of the years into operation
+  /// 2, when operations 0 and 1 are done. Only operators that take time are seen between whole numbers.
+  std::vector<double> moments = {};
+  std::function<void(std::size_t moment, const CoatedMetal&)> at = {};
 };
+
+/// [step] the years that each operation takes. Throws as check_timeline does.
+std::vector<double> timeline_years(const OperatorCatalogue& operators, std::span<const TimelineStep> steps);
 
 /// Refuses what can be known before there is a surface: operators, parameters and masks there are not, and
 /// expressions that do not read. Throws InputError saying where.
