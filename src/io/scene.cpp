@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "file_bytes.hpp"
+#include "scene_animation.hpp"
 #include "scene_corrosion.hpp"
 #include "scene_masks.hpp"
 #include "scene_table.hpp"
@@ -100,12 +101,12 @@ Scene read_scene(const std::filesystem::path& file) {
   for (const auto& [key, node] : root)
     if (key != "verdigris" && key != "mesh" && key != "surface" && key != "behaviour" && key != "seeds" &&
         key != "masks" && key != "barrier" && key != "corrosion" && key != "weathering" &&
-        key != "timeline" && key != "run" && key != "picture")
+        key != "timeline" && key != "run" && key != "picture" && key != "animation")
       throw InputError(fmt::format("{}:{}", file.string(), node.source().begin.line),
                        fmt::format("there is no table '{}'", key.str()),
                        "the tables are: verdigris, mesh, surface, behaviour, seeds, masks, barrier, "
                        "corrosion, weathering, "
-                       "timeline, run, picture");
+                       "timeline, run, picture, animation");
 
   Scene scene;
   scene.file = file;
@@ -177,6 +178,8 @@ Scene read_scene(const std::filesystem::path& file) {
   picture.whole("height", scene.picture.height, 1, 8192);
   picture.flag("outline", scene.picture.outline);
 
+  scene.animation = io::read_animation(file, root);
+
   std::vector<std::string> mask_names;
   for (const MaskPlan& plan : scene.masks) mask_names.push_back(plan.name);
   scene.weathering = io::read_weathering(file, root, mask_names);
@@ -188,7 +191,7 @@ using io::path_from;
 using io::quoted;
 using io::written;
 
-void write_scene(const std::filesystem::path& file, const Scene& scene) {
+std::string scene_text(const std::filesystem::path& file, const Scene& scene) {
   std::string text =
       fmt::format("# Repeat this run, to the bit: verdigris run {}\n\n", file.filename().string());
   text += fmt::format("[verdigris]\nversion = {}\n\n", quoted(VERDIGRIS_VERSION));
@@ -235,9 +238,14 @@ void write_scene(const std::filesystem::path& file, const Scene& scene) {
   text += fmt::format("\n[picture]\ndraw = {}\nview = {}\nup = {}\nwidth = {}\nheight = {}\noutline = {}\n",
                       picture.draw, quoted(picture.view), quoted(picture.up), picture.width, picture.height,
                       picture.outline);
+  text += io::animation_text(scene.animation);
   text += io::weathering_text(scene.weathering, file);
+  return text;
+}
+
+void write_scene(const std::filesystem::path& file, const Scene& scene) {
   ReplaceFile out(file);
-  out.write(text);
+  out.write(scene_text(file, scene));
   out.commit();
 }
 

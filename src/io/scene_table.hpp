@@ -30,6 +30,13 @@ class Table {
     }
   }
 
+  /// A table that stands in a list, `name` in messages.
+  Table(const std::filesystem::path& file, const toml::node& node, std::string name)
+      : file_(file), name_(std::move(name)), table_(node.as_table()) {
+    if (table_ == nullptr)
+      fail(node, fmt::format("{} holds something that is no table", name_), "write { ... }");
+  }
+
   explicit operator bool() const { return table_ != nullptr; }
   const toml::table& raw() const { return *table_; }
 

@@ -21,6 +21,8 @@ class ReplaceFile {
   void write(std::string_view text);
   void write(const void* data, std::size_t bytes);
   std::FILE* stream() const { return file_; }
+  /// The file aside, for another program to write.
+  const std::filesystem::path& aside() const { return aside_; }
   /// Flushes to disk and renames over the target.
   void commit();
 

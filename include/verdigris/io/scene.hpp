@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "verdigris/base/parameters.hpp"
+#include "verdigris/io/animation_plan.hpp"
 #include "verdigris/io/corrosion_plan.hpp"
 #include "verdigris/io/read_points.hpp"
 #include "verdigris/io/weathering_plan.hpp"
@@ -84,6 +85,7 @@ struct Scene {
   std::uint64_t steps = 0;  ///< 0: until nothing can change
   PicturePlan picture;
   WeatheringPlan weathering;  ///< or none
+  AnimationPlan animation;
 };
 
 /// Reads a scene; paths in it are relative to the file. Throws InputError with file and line for TOML that
@@ -91,8 +93,10 @@ struct Scene {
 /// given in two ways.
 Scene read_scene(const std::filesystem::path& file);
 
-/// Writes a scene with every value spelled out, so that read_scene gives back the same. Paths are written
-/// relative to the file's directory where they can be.
+/// A scene with every value spelled out, so that read_scene gives back the same from `file`. Paths are
+/// relative to its directory where they can be.
+std::string scene_text(const std::filesystem::path& file, const Scene& scene);
+/// Writes scene_text into `file`.
 void write_scene(const std::filesystem::path& file, const Scene& scene);
 
 /// "unfolded" or "projected"; InputError otherwise.
