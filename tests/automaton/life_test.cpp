@@ -5,8 +5,8 @@
 
 #include "shapes.hpp"
 #include "verdigris/automaton/sweep.hpp"
-#include "verdigris/behaviours/packed_life.hpp"
 #include "verdigris/base/error.hpp"
+#include "verdigris/behaviours/packed_life.hpp"
 #include "verdigris/surface/flat_torus.hpp"
 
 using namespace verdigris;
@@ -128,13 +128,11 @@ TEST(PackedLife, AgreesWithTheByteBehaviourOnAnySurface) {
   const struct {
     Mesh mesh;
     double cell_size;
-  } all[] = {{shapes::torus(3, 1, 30, 20), 0.03},
-             {shapes::cube(1), 0.004},
-             {shapes::square(1), 0.02},
-             {shapes::random_plane(9, 40, 2), 1.0},
-             {shapes::torus(3, 1, 90, 40), 0.07}};
+  } all[] = {{shapes::torus(3, 1, 30, 20), 0.03}, {shapes::cube(1), 0.004},
+             {shapes::square(1), 0.02},           {shapes::random_plane(9, 40, 2), 1.0},
+             {shapes::torus(3, 1, 90, 40), 0.07}, {shapes::torus(3, 1, 400, 3), 0.02}};
   for (const auto& [mesh, h] : all)
-    for (const char* text : {"B3/S23", "Coagulations", "B13/S024V"}) {
+    for (const char* text : {"B3/S23", "Coagulations", "B13/S024V", "B08/S0128"}) {
       const LifeRule rule = parse_life_rule(text);
       const Surface s = make_surface(mesh, {.cell_size = h});
       const PackedSurface packed(s);

@@ -1,11 +1,13 @@
 #pragma once
 // A surface for one-bit behaviours: 64 cells to a word, ghosts gathered as streams of bits.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "verdigris/automaton/bit_sources.hpp"
 #include "verdigris/surface/surface.hpp"
 
 namespace verdigris {
@@ -17,80 +19,104 @@ namespace verdigris {
 /// next word, and eight rows are one wide vector. Triangles narrow towards C: a word column ends with the
 /// last row that reaches into it.
 ///
-/// Only owned cells have their bit in the state; those of ghosts are gathered before a step from
-/// `ghost_sources`, in the order of the patch's words, and laid around the owned ones. Which bits of a word
-/// are which takes four bytes, not two words: large surfaces are read at the speed of memory.
+/// Only owned cells have their bit in the state. For a step a patch is copied and its ghosts, gathered from
+/// `sources`, are laid around the owned cells: eight words at a time from a `Group`, the few that this does
+/// not fit from a `LooseRun`. The copy of a word column begins with seven words of no meaning, so that word
+/// 1, the first in which cells evolve, stands where a vector begins; see `Column::pitch`.
 class PackedSurface {
  public:
   /// Works on surfaces with unfolded links; throws std::invalid_argument for others. Cells of up to 2^32 bits
   /// in all.
   explicit PackedSurface(const Surface& surface);
 
-  /// The bits of one word: owned [owned_begin, owned_end), ghosts the others of [begin, end); 0 to 64.
-  struct Bits {
-    std::uint8_t begin, end, owned_begin, owned_end;
-
-    std::uint64_t owned() const { return between(owned_begin, owned_end); }
-    std::uint64_t ghosts() const { return between(begin, end) & ~owned(); }
-
-   private:
-    static std::uint64_t between(unsigned from, unsigned to) { return low(to) & ~low(from); }
-    static std::uint64_t low(unsigned count) {
-#ifdef __BMI2__
-      return __builtin_ia32_bzhi_di(~std::uint64_t{0}, count);
-#else
-      return count >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
-#endif
-    }
-  };
-
   struct Patch {
     std::uint32_t word_begin;    ///< first of its words, in all word arrays
-    std::uint32_t ghost_begin;   ///< first of its ghosts in ghost_sources(), a multiple of 16
-    std::uint32_t column_begin;  ///< first of its word columns in column_rows()
+    std::uint32_t column_begin;  ///< first of its word columns
+    std::uint32_t group_begin;   ///< first of its groups
+    std::uint32_t loose_begin;   ///< first of its loose runs
     std::int32_t origin;         ///< grid column of bit 0 of word column 0
   };
 
-  std::size_t patch_count() const {
-    return patches_.size() - 1;
+  /// A word column: words 0 to rows - 1, grid rows -1 to rows - 2. In the first and the last nothing is
+  /// owned.
+  struct Column {
+    std::uint32_t rows;
+    std::uint32_t
+        inside;  ///< so many groups from the first on are owned from end to end; no Group tells of them
+
+    /// Eights of words from word 1 on that hold all owned ones.
+    std::uint32_t groups() const { return rows < 3 ? 0 : (rows + 5) / 8; }
+    /// Words of its copy: word w stands at 7 + w.
+    std::uint32_t pitch() const { return 8 * (groups() + 2); }
+  };
+
+  /// The bits of eight words: [owned_begin, owned_end) is owned, ghosts lie on both sides. Those on the left
+  /// are among the 64 bits of the stream from byte `left_byte` of the patch on; turned left by `left_turn`
+  /// they are in their place. So are those on the right. Bits that no cell has may become anything.
+  struct Group {
+    std::uint8_t owned_begin[8], owned_end[8], left_turn[8], right_turn[8];
+    std::uint16_t left_byte, right_byte;
+  };
+
+  /// A run of ghosts in one word of the copy: `mask`, from bit `bit` of the patch's stream on.
+  struct LooseRun {
+    std::uint32_t at, bit;
+    std::uint64_t mask;
+  };
+
+  std::size_t patch_count() const { return patches_.size() - 1; }
+  /// patch_count() gives the ends.
+  const Patch& patch(std::size_t p) const { return patches_[p]; }
+  std::span<const Column> columns(std::size_t p) const {
+    return {columns_.data() + patches_[p].column_begin, columns_.data() + patches_[p + 1].column_begin};
   }
-  const Patch& patch(std::size_t p) const {
-    return patches_[p];
-  }  ///< patch_count() gives the ends
-  /// Words in each word column of a patch: grid rows -1 to count - 2.
-  std::span<const std::uint32_t> column_rows(std::size_t p) const {
-    return {column_rows_.data() + patches_[p].column_begin,
-            column_rows_.data() + patches_[p + 1].column_begin};
+  const Group* groups(std::size_t p) const { return groups_.data() + patches_[p].group_begin; }
+  std::span<const LooseRun> loose_runs(std::size_t p) const {
+    return {loose_.data() + patches_[p].loose_begin, loose_.data() + patches_[p + 1].loose_begin};
   }
-  std::size_t word_count() const {
-    return patches_.back().word_begin;
-  }
-  const Bits* bits() const {
-    return bits_.data();
-  }  ///< [word], eight more at the end
-  /// [ghost] bit of the state that it copies; bit 0 is always empty: what lies beyond a boundary.
-  const std::uint32_t* ghost_sources() const {
-    return ghost_sources_.data();
-  }
-  std::size_t owned_count() const {
-    return owned_count_;
-  }
-  std::size_t largest_patch_words() const {
-    return largest_patch_words_;
-  }
+  /// Bit 0 of the state is always empty: what lies beyond a boundary.
+  const BitSources& sources() const { return sources_; }
+  std::size_t word_count() const { return patches_.back().word_begin; }
+  std::size_t owned_count() const { return owned_count_; }
+  /// Words that the copy of any patch takes, with what may be read behind it.
+  std::size_t copy_words() const { return copy_words_; }
   std::size_t bytes() const;
 
   /// Bit of an owned slot of the surface it was made from.
   std::uint32_t bit_of(const Surface& surface, std::uint32_t slot) const;
 
+  /// Calls visit(word, mask of its owned bits) for the words of a patch that have some, in ascending order.
+  template <typename Visit>
+  void for_owned_words(std::size_t p, Visit&& visit) const {
+    std::uint32_t word = patches_[p].word_begin;
+    const Group* group = groups(p);
+    for (const Column& column : columns(p)) {
+      for (std::uint32_t g = 0; g < column.groups(); ++g) {
+        const Group* some = g < column.inside ? nullptr : group++;
+        for (std::uint32_t k = 0; k < std::min(8u, column.rows - 1 - 8 * g); ++k) {
+          const std::uint64_t mask =
+              some == nullptr ? ~std::uint64_t{0} : bits_between(some->owned_begin[k], some->owned_end[k]);
+          if (mask != 0) visit(word + 1 + 8 * g + k, mask);
+        }
+      }
+      word += column.rows;
+    }
+  }
+
  private:
+  struct Builder;
+
+  static std::uint64_t bits_between(unsigned begin, unsigned end) {
+    return begin >= end ? 0 : ~std::uint64_t{0} >> (64 - (end - begin)) << begin;
+  }
   std::uint32_t bit_at(std::uint32_t patch, std::uint32_t row_index, std::int32_t column) const;
 
   std::vector<Patch> patches_;  // one more at the end
-  std::vector<std::uint32_t> column_rows_;
-  std::vector<Bits> bits_;  // [word], eight more at the end
-  std::vector<std::uint32_t> ghost_sources_;
-  std::size_t owned_count_ = 0, largest_patch_words_ = 0;
+  std::vector<Column> columns_;
+  std::vector<Group> groups_;
+  std::vector<LooseRun> loose_;
+  BitSources sources_;
+  std::size_t owned_count_ = 0, copy_words_ = 0;
 };
 
 }  // namespace verdigris

@@ -22,7 +22,7 @@ class PackedLife {
   std::uint64_t population() const;
 
   bool alive(std::uint32_t bit) const { return (state_[bit >> 6] >> (bit & 63)) & 1u; }
-  void set(std::uint32_t bit, bool alive);
+  void set(std::uint32_t bit, bool alive);  ///< of an owned cell
   /// Each owned cell alive with probability `density`, from random numbers keyed by seed and word.
   void fill(double density, std::uint64_t seed);
 
@@ -33,9 +33,6 @@ class PackedLife {
   std::size_t bytes() const { return (state_.size() + ghosts_.size()) * 8; }
 
  private:
-  void gather_ghosts(std::size_t first_patch, std::size_t last_patch);
-  std::uint64_t advance(std::size_t patch, std::vector<std::uint64_t>& old);
-
   const PackedSurface& cells_;
   LifeRule rule_;
   std::vector<std::uint64_t> state_;   // [word], owned bits only
