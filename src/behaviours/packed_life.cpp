@@ -16,9 +16,6 @@
 #include "verdigris/base/error.hpp"
 #include "word_rows.hpp"
 
-// Vectors wider than the machine's are passed between functions of this file only: no ABI is at stake.
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 namespace verdigris {
 
 namespace {
