@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "corrosion_pictures.hpp"
+#include "picture.hpp"
 #include "verdigris/base/error.hpp"
 #include "verdigris/behaviours/corrosion_layers.hpp"
 #include "verdigris/io/read_material.hpp"
@@ -178,22 +179,16 @@ std::vector<std::string> write_corrosion(const std::filesystem::path& out, const
 
 std::vector<std::string> draw_corrosion(const std::filesystem::path& out, const CorrosionGrowth& growth,
                                         const Material& material, const Scene& scene) {
-  // Those of an earlier run may be of other ages.
-  std::error_code ignored;
-  for (std::filesystem::directory_iterator it(out, ignored), end; !ignored && it != end;
-       it.increment(ignored)) {
-    const std::string name = it->path().filename().string();
-    if (name.starts_with("patina-") && name.ends_with(".png")) std::filesystem::remove(it->path(), ignored);
-  }
   PatinaPainter painter(growth, material, scene);
+  const Camera camera = camera_of(growth.surface().mesh(), scene.picture);
   const double now = static_cast<double>(growth.steps()) * scene.corrosion.step_years;
   std::vector<std::string> files;
   for (const double years : scene.corrosion.frames) {
     if (years > now * (1.0 + 1e-9)) continue;
     files.push_back(fmt::format("patina-{:07.3f}y.png", years));
-    painter.draw(years, out / files.back());
+    write_png(painter.draw(years, camera), out / files.back());
   }
-  painter.draw(now, out / "picture.png");
+  write_png(painter.draw(now, camera), out / "picture.png");
   files.emplace_back("picture.png");
   return files;
 }

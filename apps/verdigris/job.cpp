@@ -1,7 +1,6 @@
 #include "job.hpp"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <chrono>
@@ -11,10 +10,10 @@
 
 #include "checkpoints.hpp"
 #include "corrosion_results.hpp"
-#include "masks.hpp"
-#include "model.hpp"
-#include "picture.hpp"
+#include "prepared_run.hpp"
 #include "report.hpp"
+#include "result_place.hpp"
+#include "thread_option.hpp"
 #include "verdigris/base/error.hpp"
 #include "verdigris/behaviours/builtin.hpp"
 #include "verdigris/io/replace_file.hpp"
@@ -28,34 +27,6 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
-
-// Scenes are TOML, and TOML is UTF-8: a run with another name could not be repeated.
-void check_utf8(const std::filesystem::path& path) {
-  try {
-    static_cast<void>(nlohmann::json(path.string()).dump());
-  } catch (const nlohmann::json::type_error&) {
-    throw InputError("file name", "it is not UTF-8, and run.toml could not hold it", "rename the file");
-  }
-}
-
-// Makes the directory for the results; takes it away again when nothing came to be in it.
-class NewDirectory {
- public:
-  explicit NewDirectory(std::filesystem::path path)
-      : path_(std::move(path)), made_(!std::filesystem::exists(path_)) {
-    make_directory(path_);
-  }
-  NewDirectory(const NewDirectory&) = delete;
-  NewDirectory& operator=(const NewDirectory&) = delete;
-  ~NewDirectory() {
-    std::error_code not_empty;
-    if (made_) std::filesystem::remove(path_, not_empty);
-  }
-
- private:
-  std::filesystem::path path_;
-  bool made_;
-};
 
 // Steps until nothing changes, the asked number is reached, or the user stops it.
 bool grow(AnySimulation& simulation, const Scene& scene, std::uint64_t cells, Progress& progress,
@@ -92,55 +63,25 @@ RunIdentity identity_of_run(const Scene& scene, const BehaviourEntry& behaviour,
   return identity;
 }
 
-// Every parameter, in the order of the behaviour: what run.toml holds and repeats.
-ParameterValues all_parameters(const BehaviourEntry& behaviour, const ParameterValues& given) {
-  ParameterValues all;
-  for (const ParameterInfo& p : behaviour.parameters) {
-    all.emplace_back(p.name, p.default_value);
-    for (const auto& [name, value] : given)
-      if (name == p.name) all.back().second = value;
-  }
-  return all;
-}
-
-// Refuses what can be known to be wrong before the model is read.
-void check_scene(const Scene& scene, const BehaviourEntry& behaviour) {
-  const std::string owner =
-      scene.file.empty() ? behaviour.name : fmt::format("{}: {}", scene.file.string(), behaviour.name);
-  check_parameters(owner, behaviour.parameters, scene.parameters);
-  if (scene.picture.draw) check_picture(scene.picture);
-  check_utf8(scene.mesh);
-  check_utf8(scene.barrier.mask);
-  for (const MaskPlan& mask : scene.masks) check_utf8(mask.file);
-  check_masks(scene, behaviour);
-  if (behaviour.needs_seeds && scene.seeds.empty())
-    throw InputError("seeds", fmt::format("{} needs some", behaviour.name),
-                     "give --seeds, or [seeds] in the scene");
-}
-
 }  // namespace
 
 int run_job(Scene scene, const RunOptions& options) {
-  std::optional<tbb::global_control> threads;
-  if (options.threads > 0)
-    threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+  const ThreadLimit threads(options.threads);
   Progress progress(!options.quiet);
   const Catalogue catalogue = builtin_catalogue();
   const BehaviourEntry& behaviour = catalogue.find(scene.behaviour);
   std::optional<Material> material;
   if (!scene.corrosion.empty()) material = prepare_corrosion(scene);
   check_scene(scene, behaviour);
-  scene.parameters = all_parameters(behaviour, scene.parameters);
-  if (scene.steps == 0) scene.steps = behaviour.default_steps;
+  complete_scene(scene, behaviour);
   const std::filesystem::path out = options.out, checkpoint_file = out / "checkpoint.vgc";
   const CheckpointInterval interval = parse_interval(options.checkpoint_every);
   std::optional<Checkpoint> checkpoint;
   if (options.resume) checkpoint = checkpoint_to_resume(checkpoint_file, scene.steps);
-  const NewDirectory place(out);
+  const ResultPlace place(out);
   if (!options.resume && !options.quiet && std::filesystem::exists(checkpoint_file))
     say("note: {} of an unfinished run is there; --resume would go on from it, this run replaces it\n",
         checkpoint_file.string());
-  for (const std::string& name : result_files()) remove_abandoned(out / name);
   watch_for_interrupt();
 
   nlohmann::ordered_json seconds;
@@ -151,29 +92,17 @@ int run_job(Scene scene, const RunOptions& options) {
   };
   const auto started = begin;
 
-  progress.stage("reading");
-  LoadedModel model = load_model(scene);
-  if (material && scene.corrosion.unit_mm == 0.0) scene.corrosion.unit_mm = guessed_unit_mm(model.mesh);
-  lap("read");
-
-  progress.stage("building surface");
-  const Surface surface = lay_cells(std::move(model.mesh), scene);
-  const double coverage = check_coverage(surface, options.quiet);
-  lap("build");
-
-  std::vector<Mask> masks = make_masks(surface, scene, model.read);
-  Field<std::uint8_t> barrier = take_barrier(masks, surface, scene, model.read);
-  const PlacedSeeds placed = place_seeds(surface, scene, model.read.file_vertices, barrier);
-  lap("place_seeds");
-
-  const SimulationSetup setup{surface, scene.seed, placed.seeds, std::move(barrier), std::move(masks)};
+  PreparedRun run(scene, behaviour, progress, options.quiet, lap);
+  const Surface& surface = run.surface;
+  const SimulationSetup& setup = run.setup;
+  const PlacedSeeds& placed = run.placed;
+  const auto& simulation = run.simulation;
   const RunIdentity identity = identity_of_run(scene, behaviour, setup);
-  const auto simulation = behaviour.create(setup, scene.parameters);
   if (checkpoint) {
     resume(*simulation, *checkpoint, identity, checkpoint_file);
     checkpoint.reset();
   }
-  RunReport report{scene, surface, *simulation, model.mended, {}, {}, out.string()};
+  RunReport report{scene, surface, *simulation, run.model.mended, {}, {}, out.string()};
   report.first_step = simulation->steps();
   if (options.resume && !options.quiet && !options.json) say("resuming at step {}\n", report.first_step);
   lap("start");
@@ -187,10 +116,7 @@ int run_job(Scene scene, const RunOptions& options) {
   lap("grow");
   seconds["checkpoints"] = checkpoints.seconds();  // part of "grow"
 
-  // What an earlier run left there and this one does not write would not be of these cells.
-  for (const std::string& name : result_files())
-    if (std::error_code ignored; name != checkpoint_file.filename())
-      std::filesystem::remove(out / name, ignored);
+  place.clear();
   progress.stage("writing cells");
   const auto* corrosion = material ? dynamic_cast<const CorrosionGrowth*>(simulation.get()) : nullptr;
   report.results =
@@ -215,10 +141,6 @@ int run_job(Scene scene, const RunOptions& options) {
       files.push_back("picture.png");
     }
     for (const Mask& mask : setup.masks) files.push_back(draw_mask(out, surface, mask, scene));
-  } else {
-    // One of an earlier run would not show these cells.
-    std::error_code ignored;
-    std::filesystem::remove(out / "picture.png", ignored);
   }
   lap("picture");
   progress.finish();
@@ -235,7 +157,7 @@ int run_job(Scene scene, const RunOptions& options) {
         resumable ? "; the same command with --resume goes on from there" : "");
   report.seconds = std::move(seconds);
   report.seeds = placed.seeds.size();
-  report.coverage = coverage;
+  report.coverage = run.coverage;
   report.sweeps = behaviour.default_steps != 0;
   if (options.json)
     print_json(report);

@@ -46,6 +46,7 @@ int main(int argc, char** argv) {
   add_run(app, status);
   add_synth(app);
   add_weather(app, status);
+  add_animate(app, status);
   add_lsystem(app);
   add_list(app);
 

@@ -7,11 +7,17 @@
 #include "verdigris/io/read_mesh.hpp"
 #include "verdigris/io/scene.hpp"
 
-/// Refuses what can be known before the model is read: masks the behaviour does not take, primitives and
-/// parameters there are not. Throws InputError.
+/// Refuses what can be known before the model is read: masks that neither the behaviour takes nor a formula
+/// names, sources and parameters there are not, bounds and scales of no use. Throws InputError.
 void check_masks(const verdigris::Scene& scene, const verdigris::BehaviourEntry& behaviour);
 
-/// All of them, "barrier" too, [slot] 0 to 1. Throws InputError for files that do not fit the model.
+/// All masks of a scene by all sources, [slot], as they are: distances stay distances. Directions that a
+/// source was not given are the scene's up. Throws InputError, also for files that do not fit the model.
+std::vector<verdigris::Mask> all_masks(const verdigris::Surface& surface, const verdigris::Scene& scene,
+                                       const verdigris::ReadReport& read);
+
+/// Those that the scene's behaviour takes, "barrier" too, [slot] 0 to 1; not those that only serve formulas.
+/// Throws as all_masks.
 std::vector<verdigris::Mask> make_masks(const verdigris::Surface& surface, const verdigris::Scene& scene,
                                         const verdigris::ReadReport& read);
 

@@ -59,6 +59,7 @@ void add_run_options(CLI::App& app, RunOptions& options);
 void print_primitives();
 
 // The commands. Each registers itself and runs from its callback.
+void add_animate(CLI::App& app, int& status);
 void add_info(CLI::App& app);
 void add_list(CLI::App& app);
 void add_lsystem(CLI::App& app);

@@ -72,6 +72,18 @@ void write_torus_picture(const std::filesystem::path& file, const Surface& surfa
   write_png(image, file);
 }
 
+ViewSettings view_settings(const PicturePlan& plan) {
+  ViewSettings settings;
+  settings.up = plan.up == "z" ? UpAxis::z : UpAxis::y;
+  settings.width = plan.width;
+  settings.height = plan.height;
+  return settings;
+}
+
+Camera camera_of(const Mesh& mesh, const PicturePlan& plan) {
+  return frame_mesh(mesh, plan.view, view_settings(plan));
+}
+
 #ifdef VERDIGRIS_WITH_GL
 
 void check_picture(const PicturePlan& plan) {
@@ -83,11 +95,7 @@ void check_picture(const PicturePlan& plan) {
 void write_picture(const std::filesystem::path& file, const Surface& surface, const CellValues& values,
                    bool labels, const PicturePlan& plan) {
   check_picture(plan);
-  ViewSettings settings;
-  settings.up = plan.up == "z" ? UpAxis::z : UpAxis::y;
-  settings.width = plan.width;
-  settings.height = plan.height;
-  const Camera camera = frame_mesh(surface.mesh(), plan.view, settings);
+  const Camera camera = camera_of(surface.mesh(), plan);
   const std::vector<Rgba8> colours = colours_of(surface, values, labels, plan.outline);
   RenderOptions options;
   options.cache_bytes = 0;  // one picture: no geometry is kept for a next one

@@ -6,6 +6,7 @@
 
 #include "verdigris/automaton/behaviour.hpp"
 #include "verdigris/io/scene.hpp"
+#include "verdigris/picture/camera.hpp"
 #include "verdigris/surface/surface.hpp"
 
 /// Whole or real numbers, [slot].
@@ -20,6 +21,12 @@ void write_picture(const std::filesystem::path& file, const verdigris::Surface& 
 /// are too many, the mean of some. Needs no OpenGL.
 void write_torus_picture(const std::filesystem::path& file, const verdigris::Surface& surface,
                          const CellValues& values, bool labels, const verdigris::TorusPlan& torus);
+
+/// Size, up axis and margins of a plan.
+verdigris::ViewSettings view_settings(const verdigris::PicturePlan& plan);
+
+/// The camera of a plan. Throws InputError.
+verdigris::Camera camera_of(const verdigris::Mesh& mesh, const verdigris::PicturePlan& plan);
 
 /// Throws InputError when write_picture could not draw `plan`: known before a long run rather than after.
 void check_picture(const verdigris::PicturePlan& plan);

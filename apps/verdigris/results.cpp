@@ -8,13 +8,6 @@
 
 using namespace verdigris;
 
-const std::vector<std::string>& result_files() {
-  static const std::vector<std::string> files{"cells.vtp",   "regions.csv",    "curve.csv", "statistics.csv",
-                                              "spots.csv",   "share.png",      "loss.png",  "spots.png",
-                                              "picture.png", "checkpoint.vgc", "run.toml"};
-  return files;
-}
-
 Results write_results(const std::filesystem::path& out, const Surface& surface,
                       const AnySimulation& simulation, const PlacedSeeds& placed, std::span<const Mask> masks,
                       bool cells) {
@@ -53,10 +46,6 @@ Results write_results(const std::filesystem::path& out, const Surface& surface,
     for (const Mask& mask : masks) arrays.push_back({"mask_" + mask.name, &mask.values});
     write_cells_vtp(out / "cells.vtp", surface, arrays);
     results.files.insert(results.files.begin(), "cells.vtp");
-  } else {
-    // One of an earlier run would not be of these cells.
-    std::error_code ignored;
-    std::filesystem::remove(out / "cells.vtp", ignored);
   }
   return results;
 }

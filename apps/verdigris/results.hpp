@@ -10,9 +10,6 @@
 #include "start.hpp"
 #include "verdigris/automaton/simulation.hpp"
 
-/// Files of an output directory that a run writes or takes away.
-const std::vector<std::string>& result_files();
-
 /// What was written beside what was found out on the way.
 struct Results {
   std::vector<std::string> files;

@@ -1,7 +1,6 @@
 #include "weather_job.hpp"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <chrono>
@@ -12,48 +11,22 @@
 #include "masks.hpp"
 #include "model.hpp"
 #include "picture.hpp"
+#include "result_place.hpp"
+#include "thread_option.hpp"
 #include "verdigris/base/error.hpp"
 #include "verdigris/exposure/surface_field.hpp"
 #include "verdigris/io/read_material.hpp"
-#include "verdigris/io/replace_file.hpp"
+#include "verdigris/io/write_png.hpp"
 #include "verdigris/io/write_weathering.hpp"
 #include "weather_pictures.hpp"
 
 using namespace verdigris;
 
+std::vector<Mask> weathering_masks(const Surface& surface, const Scene& scene, const ReadReport& read) {
+  return all_masks(surface, scene, read);
+}
+
 namespace {
-
-// The masks of a scene by all sources: primitives and files, and those of the catalogue of masks.
-std::vector<Mask> all_masks(const Surface& surface, const Scene& scene, const ReadReport& read) {
-  const MaskCatalogue catalogue = builtin_masks();
-  Scene others = scene;
-  others.masks.clear();
-  std::vector<Mask> masks;
-  for (const MaskPlan& plan : scene.masks) {
-    const auto& entries = catalogue.entries();
-    if (std::none_of(entries.begin(), entries.end(), [&](const auto& e) { return e.name == plan.source; })) {
-      others.masks.push_back(plan);
-      continue;
-    }
-    Field<float> values = make_mask(surface, plan.source, plan.parameters, plan.seed);
-    if (plan.low || plan.high) stretch_to_unit(values, plan.low.value_or(0.0), plan.high.value_or(1.0));
-    masks.push_back({plan.name, std::move(values)});
-  }
-  for (Mask& mask : make_masks(surface, others, read)) masks.push_back(std::move(mask));
-  return masks;
-}
-
-// Pictures of an earlier run may be of other operations.
-void remove_pictures(const std::filesystem::path& out) {
-  std::error_code ignored;
-  for (std::filesystem::directory_iterator it(out, ignored), end; !ignored && it != end;
-       it.increment(ignored)) {
-    const std::string name = it->path().filename().string();
-    if (name.size() > 7 && name.ends_with(".png") && name[2] == '-' &&
-        name.find_first_not_of("0123456789") == 2)
-      std::filesystem::remove(it->path(), ignored);
-  }
-}
 
 // Words or JSON on standard output.
 void report(const Scene& scene, const Surface& surface, const std::vector<TimelineRecord>& records,
@@ -89,9 +62,7 @@ void report(const Scene& scene, const Surface& surface, const std::vector<Timeli
 }  // namespace
 
 int run_weathering(Scene scene, const RunOptions& options) {
-  std::optional<tbb::global_control> threads;
-  if (options.threads > 0)
-    threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+  const ThreadLimit threads(options.threads);
   if (options.resume)
     throw InputError("--resume", "timelines keep no checkpoints", "run the scene from its beginning");
   if (scene.torus.width != 0)
@@ -108,14 +79,19 @@ int run_weathering(Scene scene, const RunOptions& options) {
   const Surface surface = lay_cells(std::move(model.mesh), scene);
   check_coverage(surface, options.quiet);
   CoatedMetal metal = make_coated_metal(surface, material);
-  MaskBook masks(surface, all_masks(surface, scene, model.read), scene.picture.up, scene.seed);
+  MaskBook masks(surface, weathering_masks(surface, scene, model.read), scene.picture.up, scene.seed);
 
   const std::filesystem::path out = options.out;
-  make_directory(out);
-  remove_pictures(out);
+  const ResultPlace place(out);
+  place.clear();
   std::optional<WeatherPainter> painter;
   std::vector<std::string> files;
-  if (scene.picture.draw) painter.emplace(surface, scene);
+  Camera camera;
+  Image latest;
+  if (scene.picture.draw) {
+    painter.emplace(surface, scene);
+    camera = camera_of(surface.mesh(), scene.picture);
+  }
   const std::vector<TimelineStep>& steps = scene.weathering.timeline;
   TimelineListener listener;
   listener.progress = [&](std::size_t k, double share) {
@@ -126,7 +102,8 @@ int run_weathering(Scene scene, const RunOptions& options) {
   listener.after = [&](std::size_t k, const CoatedMetal& now, const TimelineRecord&) {
     if (!painter) return;
     files.push_back(fmt::format("{:02}-{}.png", k + 1, steps[k].op));
-    painter->draw(now, out / files.back());
+    latest = painter->draw(now, camera);
+    write_png(latest, out / files.back());
   };
   progress.stage("weathering");
   const glm::dvec3 up = scene.picture.up == "z" ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
@@ -136,7 +113,7 @@ int run_weathering(Scene scene, const RunOptions& options) {
 
   progress.stage("writing");
   if (painter) {
-    painter->draw(metal, out / "picture.png");
+    write_png(latest, out / "picture.png");
     files.emplace_back("picture.png");
   }
   if (!options.no_cells) {

@@ -1,24 +1,19 @@
 #pragma once
-// Pictures of a weathering surface, one after each operation.
+// Pictures of a weathering surface.
 
-#include <filesystem>
-#include <memory>
-
+#include "layer_painter.hpp"
 #include "verdigris/io/scene.hpp"
-#include "verdigris/surface/surface.hpp"
+#include "verdigris/weathering/coated_metal.hpp"
 
-/// What does not change between pictures is made once. Throws InputError where there is no OpenGL.
+/// Draws the states of one surface. Throws InputError where there is no OpenGL.
 class WeatherPainter {
  public:
   /// Both must outlive it.
   WeatherPainter(const verdigris::Surface& surface, const verdigris::Scene& scene);
-  ~WeatherPainter();
-  WeatherPainter(const WeatherPainter&) = delete;
-  WeatherPainter& operator=(const WeatherPainter&) = delete;
 
-  void draw(const verdigris::CoatedMetal& metal, const std::filesystem::path& file);
+  verdigris::Image draw(const verdigris::CoatedMetal& metal, const verdigris::Camera& camera);
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  const verdigris::Scene& scene_;
+  LayerPainter painter_;
 };

@@ -174,6 +174,8 @@ Scene read_scene(const std::filesystem::path& file) {
   picture.flag("draw", scene.picture.draw);
   picture.text("view", scene.picture.view);
   picture.text("up", scene.picture.up);
+  if (scene.picture.up != "y" && scene.picture.up != "z")
+    picture.fail(*picture.find("up"), fmt::format("'{}' is no up axis", scene.picture.up), "choose y or z");
   picture.whole("width", scene.picture.width, 1, 8192);
   picture.whole("height", scene.picture.height, 1, 8192);
   picture.flag("outline", scene.picture.outline);

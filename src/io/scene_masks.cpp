@@ -1,9 +1,12 @@
 #include "scene_masks.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "scene_table.hpp"
 #include "scene_text.hpp"
+#include "verdigris/exposure/mask_catalogue.hpp"
+#include "verdigris/exposure/mask_expression.hpp"
 
 namespace verdigris::io {
 
@@ -14,13 +17,16 @@ constexpr double most = std::numeric_limits<double>::max();
 MaskPlan read_mask(const Table& table, const std::filesystem::path& base, std::string name) {
   MaskPlan mask;
   mask.name = std::move(name);
-  std::string file;
+  std::string file, image;
   table.text("source", mask.source);
+  table.text("formula", mask.formula);
   table.text("file", file);
-  if (mask.source.empty() == file.empty())
-    table.fail(table.raw(),
-               fmt::format("mask {} has {} source", mask.name, file.empty() ? "no" : "more than one"),
-               "give either source = \"fbm\" or another primitive, or file = \"numbers.txt\"");
+  table.text("image", image);
+  const int given = !mask.source.empty() + !mask.formula.empty() + !file.empty() + !image.empty();
+  if (given != 1)
+    table.fail(
+        table.raw(), fmt::format("mask {} has {} source", mask.name, given == 0 ? "no" : "more than one"),
+        "give one of source = \"fbm\", formula = \"0.5 * ao\", image = \"grey.png\", file = \"numbers.txt\"");
   const auto bound = [&](const char* key, std::optional<double>& to) {
     if (const toml::node* node = table.find(key)) to = table.number_of(*node, key, -most, most);
   };
@@ -29,6 +35,15 @@ MaskPlan read_mask(const Table& table, const std::filesystem::path& base, std::s
   if (mask.low && mask.low == mask.high)
     table.fail(table.raw(), fmt::format("low and high of mask {} are the same", mask.name),
                "leave some range between them");
+  if (!mask.formula.empty()) {
+    table.only({"formula", "low", "high"});
+    return mask;
+  }
+  if (!image.empty()) {
+    table.only({"image", "low", "high"});
+    mask.image = base / image;
+    return mask;
+  }
   if (!file.empty()) {
     table.only({"file", "on", "low", "high"});
     mask.file = base / file;
@@ -61,12 +76,28 @@ std::vector<MaskPlan> read_masks(const std::filesystem::path& file, const toml::
       all.fail(node, fmt::format("'{}' cannot be the name of a mask", name), "use letters, digits, _ and -");
     masks.push_back(read_mask(Table(file, all.raw(), name, "masks." + name), file.parent_path(), name));
   }
+  // Formulas may name one another: they are read when all names are known.
+  std::vector<std::string> names;
+  for (const MaskPlan& mask : masks) names.push_back(mask.name);
+  const MaskCatalogue catalogue = builtin_masks();
+  for (const MaskEntry& entry : catalogue.entries())
+    if (std::find(names.begin(), names.end(), entry.name) == names.end()) names.push_back(entry.name);
+  for (const MaskPlan& mask : masks) {
+    if (mask.formula.empty()) continue;
+    const toml::node* node = all.raw().get(mask.name)->as_table()->get("formula");
+    MaskExpression(mask.formula, names,
+                   fmt::format("{}:{}: masks.{}", file.string(), node->source().begin.line, mask.name));
+  }
   return masks;
 }
 
 std::string mask_text(const MaskPlan& mask, const std::filesystem::path& file) {
   std::string text = fmt::format("\n[masks.{}]\n", mask.name);
-  if (mask.source.empty()) {
+  if (!mask.formula.empty()) {
+    text += fmt::format("formula = {}\n", quoted(mask.formula));
+  } else if (!mask.image.empty()) {
+    text += fmt::format("image = {}\n", path_from(file, mask.image));
+  } else if (mask.source.empty()) {
     text += fmt::format("file = {}\non = {}\n", path_from(file, mask.file), quoted(mask.on));
   } else {
     text += fmt::format("source = {}\nseed = {}\nscale = {}\n", quoted(mask.source), mask.seed,

@@ -45,13 +45,12 @@ void draw_curve(Canvas& canvas, const Overlay& overlay, glm::dvec2 low, glm::dve
   std::vector<glm::dvec2> past, all;
   for (const glm::dvec2& p : overlay.points) {
     all.push_back(at(p));
-    if (p.x <= overlay.now) {
-      past.push_back(at(p));
-    } else if (!past.empty() && all.size() >= 2 && past.size() == all.size() - 1) {
-      const double share =
-          (overlay.now - overlay.points[past.size() - 1].x) / (p.x - overlay.points[past.size() - 1].x);
-      past.push_back(past.back() + share * (all.back() - past.back()));
-    }
+    if (p.x <= overlay.now) past.push_back(all.back());
+  }
+  // The last bit, to a point between two.
+  if (!past.empty() && past.size() < all.size()) {
+    const glm::dvec2 last = overlay.points[past.size() - 1], next = overlay.points[past.size()];
+    past.push_back(at(last + (overlay.now - last.x) / (next.x - last.x) * (next - last)));
   }
   canvas.stroke(std::vector<glm::dvec2>{{low.x, high.y}, low, {high.x, low.y}}, 1.2 * unit, pale);
   canvas.stroke(all, 1.4 * unit, pale);

@@ -1,0 +1,25 @@
+#pragma once
+// The directory that a run writes its results into.
+
+#include <filesystem>
+
+/// Scenes are TOML, and TOML is UTF-8: a run with another name could not be repeated. Throws InputError.
+void check_utf8(const std::filesystem::path& path);
+
+/// Makes the directory and takes away what ended runs left half written; takes the directory away again when
+/// nothing came to be in it.
+class ResultPlace {
+ public:
+  explicit ResultPlace(std::filesystem::path path);
+  ~ResultPlace();
+  ResultPlace(const ResultPlace&) = delete;
+  ResultPlace& operator=(const ResultPlace&) = delete;
+
+  /// Removes what an earlier run left there and this one may not write, numbered pictures too: it would not
+  /// be of these cells. A checkpoint stays.
+  void clear() const;
+
+ private:
+  std::filesystem::path path_;
+  bool made_;
+};
