@@ -21,19 +21,22 @@ void add_animate(CLI::App& app, int& status) {
     FilmOptions film;
   };
   auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand("animate", "Film what a scene does over the years, as PNGs and MP4");
+  auto* command = app.add_subcommand("animate", "Film what a scene does in time, as PNGs and MP4");
   command
       ->add_option("SCENE", options->scene,
-                   "Scene file (TOML) with [corrosion], or with [weathering] and a [[timeline]]")
+                   "Scene file (TOML): a timeline, a corrosion, or any behaviour (a run's run.toml too)")
       ->required();
   auto* frames =
       command->add_option("--frames", options->frames, "Frames, spread over the run (default: 120)")
           ->type_name("N")
           ->check(CLI::Range(1, 100000));
-  auto* years = command->add_option("--years", options->years, "Chosen times instead, a frame each: 0,1,5,30")
-                    ->type_name("Y,...")
-                    ->delimiter(',')
-                    ->excludes(frames);
+  auto* years =
+      command
+          ->add_option("--years", options->years,
+                       "Chosen times instead, a frame each: 0,1,5,30; steps where nothing takes years")
+          ->type_name("Y,...")
+          ->delimiter(',')
+          ->excludes(frames);
   auto* hold =
       command
           ->add_option("--hold", options->hold,

@@ -11,6 +11,7 @@
 #include "masks.hpp"
 #include "picture.hpp"
 #include "prepared_run.hpp"
+#include "results.hpp"
 #include "verdigris/base/error.hpp"
 #include "verdigris/behaviours/builtin.hpp"
 #include "verdigris/io/read_material.hpp"
@@ -172,6 +173,86 @@ class CorrosionFilm final : public FilmSubject {
   std::optional<PatinaPainter> painter_;
 };
 
+// Any other behaviour, step by step; made anew each time it is looked at.
+class StepsFilm final : public FilmSubject {
+ public:
+  StepsFilm(Scene& scene, const BehaviourEntry& behaviour, Progress& progress, bool quiet)
+      : scene_(scene), run_(scene, behaviour, progress, quiet, no_lap), view_(run_.surface, scene.links) {
+    restart_ = [&scene, &behaviour, this] { return behaviour.create(run_.setup, scene.parameters); };
+    if (scene.steps != 0) return;
+    // Where it ends of itself nobody knows before.
+    progress.stage("growing");
+    while (!run_.simulation->finished() && !interrupted()) {
+      run_.simulation->step();
+      progress.update(0.0, fmt::format("step {}", run_.simulation->steps()));
+    }
+    whole_ = run_.simulation->finished();
+    scene.steps = run_.simulation->steps();
+  }
+
+  bool whole() const { return whole_; }
+  const Mesh& mesh() const override { return run_.surface.mesh(); }
+  std::vector<double> years() const override { return {static_cast<double>(scene_.steps)}; }
+  std::string time_text(double years, double) const override {
+    return fmt::format("step {:.0f}", std::floor(years));
+  }
+
+  FilmCurve curve(const std::vector<FilmMoment>& moments, Progress& progress) override {
+    progress.stage("rehearsing");
+    FilmCurve curve{{}, [](double value) { return fmt::format("{:.1f} % changed", value); }};
+    const CellValues first = first_field(*restart_());
+    const auto cells = static_cast<double>(run_.surface.owned_count());
+    const bool whole = run(moments, [&](std::size_t k, const AnySimulation& simulation) {
+      std::uint64_t other = 0;
+      std::visit(
+          [&](const auto& now) {
+            const auto& then = std::get<std::decay_t<decltype(now)>>(first);
+            for (const Row& row : run_.surface.rows())
+              for (std::uint32_t slot = row.run_begin; slot < row.run_end; ++slot)
+                other += now[slot] != then[slot];
+          },
+          first_field(simulation));
+      curve.points.emplace_back(moments[k].years, 100.0 * static_cast<double>(other) / cells);
+      progress.update(static_cast<double>(k + 1) / static_cast<double>(moments.size()));
+      return true;
+    });
+    return whole ? curve : FilmCurve{};
+  }
+
+  bool play(const std::vector<FilmMoment>& moments,
+            const std::function<bool(std::size_t, const Draw&)>& show) override {
+    if (!painter_) painter_.emplace(view_.surface(), scene_.picture.outline);
+    ColourScale range{};
+    return run(moments, [&](std::size_t k, const AnySimulation& simulation) {
+      const bool labels = simulation.fields().front().kind == FieldKind::label;
+      const CellValues values = view_(first_field(simulation));
+      // One scale from frame to frame; it only grows.
+      const ColourScale now = scale_over(run_.surface, values);
+      range = {std::min(range.low, now.low), std::max(range.high, now.high)};
+      return show(k, [&](const Camera& camera) { return painter_->draw(values, labels, range, camera); });
+    });
+  }
+
+ private:
+  bool run(const std::vector<FilmMoment>& moments,
+           const std::function<bool(std::size_t, const AnySimulation&)>& visit) {
+    const std::unique_ptr<AnySimulation> simulation = restart_();
+    for (std::size_t k = 0; k < moments.size(); ++k) {
+      const auto last = static_cast<std::uint64_t>(moments[k].years + 1e-9);
+      while (simulation->steps() < last && !simulation->finished() && !interrupted()) simulation->step();
+      if (interrupted() || !visit(k, *simulation)) return false;
+    }
+    return true;
+  }
+
+  const Scene& scene_;
+  PreparedRun run_;
+  OpenView view_;
+  std::function<std::unique_ptr<AnySimulation>()> restart_;
+  bool whole_ = true;
+  std::optional<CellPainter> painter_;
+};
+
 }  // namespace
 
 void check_film_subject(Scene& scene) {
@@ -187,20 +268,22 @@ void check_film_subject(Scene& scene) {
     static_cast<void>(find_material(scene.weathering.material));
     return;
   }
-  if (scene.corrosion.empty())
-    throw InputError(scene.file.string(), "nothing in it ages in years",
-                     "write [corrosion] with behaviour corrosion, or [weathering] with a [[timeline]]");
   const Catalogue catalogue = builtin_catalogue();
   const BehaviourEntry& behaviour = catalogue.find(scene.behaviour);
-  static_cast<void>(prepare_corrosion(scene));
+  if (!scene.corrosion.empty()) static_cast<void>(prepare_corrosion(scene));
   check_scene(scene, behaviour);
   complete_scene(scene, behaviour);
 }
 
 std::unique_ptr<FilmSubject> make_film_subject(Scene& scene, Progress& progress, bool quiet) {
   if (!scene.weathering.empty()) return std::make_unique<WeatheringFilm>(scene, progress, quiet);
-  const Catalogue catalogue = builtin_catalogue();
-  auto film = std::make_unique<CorrosionFilm>(scene, catalogue.find(scene.behaviour), progress, quiet);
-  if (!film->whole()) return nullptr;
-  return film;
+  static const Catalogue catalogue = builtin_catalogue();  // outlives the film, which makes runs anew
+  const BehaviourEntry& behaviour = catalogue.find(scene.behaviour);
+  const auto if_whole = [](auto film) -> std::unique_ptr<FilmSubject> {
+    if (!film->whole()) return nullptr;
+    return film;
+  };
+  if (!scene.corrosion.empty())
+    return if_whole(std::make_unique<CorrosionFilm>(scene, behaviour, progress, quiet));
+  return if_whole(std::make_unique<StepsFilm>(scene, behaviour, progress, quiet));
 }

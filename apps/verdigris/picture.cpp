@@ -20,38 +20,49 @@ using namespace verdigris;
 namespace {
 
 template <typename T>
-std::vector<Rgba8> scalar_colours(const Surface& surface, const Field<T>& values) {
-  T low = 0, high = std::is_integral_v<T> ? 1 : 0;
-  for (std::uint32_t r = 0; r < surface.rows().size(); ++r) {
-    const SlotRun run = surface.owned(r);
-    for (std::uint32_t slot = run.begin; slot < run.end; ++slot) {
-      low = std::min(low, values[slot]);
-      high = std::max(high, values[slot]);
-    }
-  }
+std::vector<Rgba8> scalar_colours(const Field<T>& values, const ColourScale& range) {
   std::vector<Rgba8> colours(values.size());
-  const float range = high > low ? static_cast<float>(high - low) : 1.0f;
-  std::transform(values.begin(), values.end(), colours.begin(),
-                 [&](T v) { return scalar_colour(static_cast<float>(v - low) / range); });
+  const double span = range.high > range.low ? range.high - range.low : 1.0;
+  std::transform(values.begin(), values.end(), colours.begin(), [&](T v) {
+    return scalar_colour(static_cast<float>((static_cast<double>(v) - range.low) / span));
+  });
   return colours;
 }
 
-std::vector<Rgba8> colours_of(const Surface& surface, const CellValues& values, bool labels, bool outline) {
+std::vector<Rgba8> colours_of(const Surface& surface, const CellValues& values, bool labels, bool outline,
+                              const ColourScale& range) {
   if (labels) {
     const auto& label = std::get<Field<std::int32_t>>(values);
     return colour_labels(surface, label, label_colours(surface, label), LabelStyle{.outlines = outline});
   }
-  return std::visit([&](const auto& field) { return scalar_colours(surface, field); }, values);
+  return std::visit([&](const auto& field) { return scalar_colours(field, range); }, values);
 }
 
 }  // namespace
+
+ColourScale scale_over(const Surface& surface, const CellValues& values) {
+  return std::visit(
+      [&](const auto& field) {
+        using T = typename std::decay_t<decltype(field)>::value_type;
+        ColourScale range{0.0, std::is_integral_v<T> ? 1.0 : 0.0};
+        for (std::uint32_t r = 0; r < surface.rows().size(); ++r) {
+          const SlotRun run = surface.owned(r);
+          for (std::uint32_t slot = run.begin; slot < run.end; ++slot) {
+            range.low = std::min(range.low, static_cast<double>(field[slot]));
+            range.high = std::max(range.high, static_cast<double>(field[slot]));
+          }
+        }
+        return range;
+      },
+      values);
+}
 
 void write_torus_picture(const std::filesystem::path& file, const Surface& surface, const CellValues& values,
                          bool labels, const TorusPlan& torus) {
   constexpr std::uint32_t good = 1024, most = 4096;
   const std::uint32_t larger = std::max(torus.width, torus.height);
   const std::uint32_t up = std::max(1u, good / larger), down = (larger + most - 1) / most;
-  const std::vector<Rgba8> colours = colours_of(surface, values, labels, false);
+  const std::vector<Rgba8> colours = colours_of(surface, values, labels, false, scale_over(surface, values));
   const std::uint32_t across = (torus.width + down - 1) / down, high = (torus.height + down - 1) / down;
   std::vector<glm::vec4> sums(std::size_t{across} * high, glm::vec4(0.0f));
   for (std::uint32_t r = 0; r < surface.rows().size(); ++r)
@@ -92,21 +103,33 @@ void check_picture(const PicturePlan& plan) {
   view_direction(plan.view, plan.up == "z" ? UpAxis::z : UpAxis::y);
 }
 
-void write_picture(const std::filesystem::path& file, const Surface& surface, const CellValues& values,
-                   bool labels, const PicturePlan& plan) {
-  check_picture(plan);
-  const Camera camera = camera_of(surface.mesh(), plan);
-  const std::vector<Rgba8> colours = colours_of(surface, values, labels, plan.outline);
+struct CellPainter::State {
+  const Surface& surface;
+  bool outline;
+  SurfaceRenderer renderer;
+};
+
+CellPainter::CellPainter(const Surface& surface, bool outline, bool one_picture) {
   RenderOptions options;
-  options.cache_bytes = 0;  // one picture: no geometry is kept for a next one
-  write_png(render(surface, colours, camera, options), file);
+  if (one_picture) options.cache_bytes = 0;  // no geometry is kept for a next one
+  state_ = std::make_unique<State>(State{surface, outline, SurfaceRenderer(surface, options)});
+}
+
+Image CellPainter::draw(const CellValues& values, bool labels, const ColourScale& range,
+                        const Camera& camera) {
+  return state_->renderer.draw(colours_of(state_->surface, values, labels, state_->outline, range), camera);
 }
 
 #else
 
-void write_picture(const std::filesystem::path&, const Surface&, const CellValues&, bool,
-                   const PicturePlan&) {
+struct CellPainter::State {};
+
+CellPainter::CellPainter(const Surface&, bool, bool) {
   check_picture({});
+}
+
+Image CellPainter::draw(const CellValues&, bool, const ColourScale&, const Camera&) {
+  return {};
 }
 
 void check_picture(const PicturePlan&) {
@@ -114,3 +137,12 @@ void check_picture(const PicturePlan&) {
 }
 
 #endif
+
+CellPainter::~CellPainter() = default;
+
+void write_picture(const std::filesystem::path& file, const Surface& surface, const CellValues& values,
+                   bool labels, const PicturePlan& plan) {
+  check_picture(plan);
+  CellPainter painter(surface, plan.outline, true);
+  write_png(painter.draw(values, labels, scale_over(surface, values), camera_of(surface.mesh(), plan)), file);
+}

@@ -50,23 +50,30 @@ Results write_results(const std::filesystem::path& out, const Surface& surface,
   return results;
 }
 
-// Regions that end at a barrier touch all the same: for the picture no edge bars the view to the other side.
+CellValues first_field(const AnySimulation& simulation) {
+  const FieldInfo info = simulation.fields().front();
+  if (info.real) return simulation.real_field(info.name);
+  return simulation.field(info.name);
+}
+
+OpenView::OpenView(const Surface& surface, LinkKind links) : surface_(surface) {
+  if (!surface.barred_edges().empty() && links != LinkKind::projected)
+    open_.emplace(make_surface(surface.mesh(), {surface.cell_size(), links}));
+}
+
+CellValues OpenView::operator()(CellValues values) const {
+  if (open_) std::visit([&](auto& field) { copy_to_ghosts(*open_, field); }, values);
+  return values;
+}
+
 void draw_results(const std::filesystem::path& out, const Surface& surface, const AnySimulation& simulation,
                   const Scene& scene) {
-  const FieldInfo info = simulation.fields().front();
-  const bool labels = info.kind == FieldKind::label;
-  CellValues values;
-  if (info.real)
-    values = simulation.real_field(info.name);
-  else
-    values = simulation.field(info.name);
+  const bool labels = simulation.fields().front().kind == FieldKind::label;
   const std::filesystem::path file = out / "picture.png";
+  const CellValues values = first_field(simulation);
   if (scene.torus.width != 0) return write_torus_picture(file, surface, values, labels, scene.torus);
-  if (surface.barred_edges().empty() || scene.links == LinkKind::projected)
-    return write_picture(file, surface, values, labels, scene.picture);
-  const Surface open = make_surface(surface.mesh(), {scene.cell_size, scene.links});
-  std::visit([&](auto& field) { copy_to_ghosts(open, field); }, values);
-  write_picture(file, open, values, labels, scene.picture);
+  const OpenView view(surface, scene.links);
+  write_picture(file, view.surface(), view(values), labels, scene.picture);
 }
 
 std::string draw_mask(const std::filesystem::path& out, const Surface& surface, const Mask& mask,

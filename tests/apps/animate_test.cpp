@@ -37,6 +37,11 @@ const char* const corrosion =
     "[corrosion]\nmaterial = \"copper\"\nstep_years = 0.1\n\n[run]\nsteps = 200\n\n"
     "[picture]\nwidth = 96\nheight = 80\n\n[animation]\nframes = 24\nhold = 2\noverlay = true\n";
 
+const char* const growth =
+    "[mesh]\nfile = \"cube.obj\"\n\n[surface]\ncells = 20000\n\n[seeds]\ncount = 5\n\n[barrier]\nangle = "
+    "80\n\n"
+    "[picture]\nwidth = 96\nheight = 80\n\n[animation]\nframes = 24\nhold = 2\nturn = 30\noverlay = true\n";
+
 std::map<std::string, std::string> film_in(const fs::path& out) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::directory_iterator(out / "frames"))
@@ -126,7 +131,8 @@ TEST_P(Animate, KeepsToTheFilmThatWasBegun) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Films, Animate,
-                         testing::Values(Kind{"Weathering", weathering}, Kind{"Corrosion", corrosion}),
+                         testing::Values(Kind{"Weathering", weathering}, Kind{"Corrosion", corrosion},
+                                         Kind{"Growth", growth}),
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST(AnimateScene, RefusesWhatIsNoFilm) {
