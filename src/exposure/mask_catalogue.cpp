@@ -35,6 +35,17 @@ MaskCatalogue builtin_masks() {
   return catalogue;
 }
 
+ParameterValues with_up(const MaskEntry& entry, ParameterValues given, const std::string& up) {
+  for (const ParameterInfo& p : entry.parameters) {
+    const bool upward = p.name == "up" || p.name == "towards" ||
+                        (p.name == "from" && p.default_value != ParameterValue(std::string()));
+    const bool is_given =
+        std::any_of(given.begin(), given.end(), [&](const auto& pair) { return pair.first == p.name; });
+    if (upward && !is_given) given.emplace_back(p.name, up);
+  }
+  return given;
+}
+
 Field<float> make_mask(const Surface& surface, std::string_view name, const ParameterValues& values,
                        std::uint64_t seed) {
   return builtin_masks().find(name).create(surface, values, seed);

@@ -43,12 +43,7 @@ MaskBook::MaskBook(const Surface& surface, std::vector<Mask> own, std::string up
 const Field<float>& MaskBook::source(const std::string& name) {
   if (const auto found = made_.find(name); found != made_.end()) return found->second;
   const MaskEntry& entry = sources_.find(name);
-  ParameterValues values;
-  for (const ParameterInfo& p : entry.parameters)
-    if (p.name == "up" || p.name == "towards" ||
-        (p.name == "from" && p.default_value != ParameterValue(std::string())))
-      values.emplace_back(p.name, up_);
-  return made_.emplace(name, entry.create(surface_, values, seed_)).first->second;
+  return made_.emplace(name, entry.create(surface_, with_up(entry, {}, up_), seed_)).first->second;
 }
 
 Field<float> MaskBook::evaluate(const std::string& expression, const std::string& where,

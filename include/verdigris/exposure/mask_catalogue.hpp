@@ -53,6 +53,10 @@ MaskEntry mask_entry() {
 /// cavity, lines, colour, wetness, flow, stored, stain.
 MaskCatalogue builtin_masks();
 
+/// `given` and, for each parameter of the source that says which way is up and was not given, `up`: an axis
+/// or three numbers.
+ParameterValues with_up(const MaskEntry& entry, ParameterValues given, const std::string& up);
+
 /// A mask of the library's own sources by name.
 Field<float> make_mask(const Surface& surface, std::string_view name, const ParameterValues& values = {},
                        std::uint64_t seed = 1);

@@ -28,18 +28,23 @@ struct SeedPlan {
   bool empty() const { return count == 0 && points.empty() && vertices.empty(); }
 };
 
-/// A scalar field of 0 to 1 that drives the behaviour: what it drives is its name. One named "barrier" bars
-/// growth instead, where it reaches BarrierPlan::threshold.
+/// A scalar field that drives the behaviour: what it drives is its name. One named "barrier" bars growth
+/// instead, where it reaches BarrierPlan::threshold. Others are there for formulas and timelines. It comes
+/// from one of `source`, `formula`, `image` and `file`.
 struct MaskPlan {
   std::string name;
-  std::string source;          ///< a primitive of the catalogue, looked up in space; empty: a file
-  ParameterValues parameters;  ///< of the primitive
-  std::uint64_t seed = 1;      ///< of the primitive
-  double scale = 1.0;          ///< how many windows of the primitive the model's longest side spans
-  std::filesystem::path file;  ///< numbers, one for each vertex or face of the model's file
-  std::string on;              ///< "vertices" or "faces"; empty: told by how many numbers there are
-  std::optional<double> low,
-      high;  ///< values that become 0 and 1; none: the primitive's range; of files 0, 1
+  std::string source;           ///< of MaskCatalogue, or a primitive, looked up in space
+  ParameterValues parameters;   ///< of the source
+  std::uint64_t seed = 1;       ///< of the source
+  double scale = 1.0;           ///< how many windows of a primitive the model's longest side spans
+  std::string formula;          ///< see MaskExpression; over the other masks and the sources of MaskCatalogue
+  std::filesystem::path image;  ///< grey values by the model's texture coordinates
+  std::filesystem::path file;   ///< numbers, one for each vertex or face of the model's file
+  std::string on;               ///< "vertices" or "faces"; empty: told by how many numbers there are
+  /// Values that become 0 and 1, any other in proportion and no farther; low may be the greater. None: the
+  /// range of a primitive; 0 and 1 of files and images; formulas and sources of MaskCatalogue stay as they
+  /// are.
+  std::optional<double> low, high;
 };
 
 /// Where growth must not go.
