@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "verdigris/base/large_memory.hpp"
+
 #ifdef __AVX512F__
 #include <immintrin.h>
 // g++ 12 warns of its own header (GCC bug 105593).
@@ -68,6 +70,13 @@ void BitSources::add_patch(std::span<const std::uint32_t> sources) {
   }
   const auto ghosts = static_cast<std::uint32_t>((sources.size() + block - 1) / block * block);
   patches_.push_back({patch.ghost_begin + ghosts, 0, static_cast<std::uint32_t>(windows_.size())});
+}
+
+void BitSources::settle() {
+  patches_ = large_copy(patches_);
+  windows_ = large_copy(windows_);
+  near_ = large_copy(near_);
+  far_ = large_copy(far_);
 }
 
 void BitSources::gather(std::size_t first_patch, std::size_t last_patch, const std::uint64_t* state,

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "verdigris/base/error.hpp"
+#include "verdigris/base/large_memory.hpp"
 
 namespace verdigris {
 
@@ -198,9 +199,10 @@ PackedSurface::PackedSurface(const Surface& surface) {
   for (std::uint32_t p = 0; p < count; ++p) builder.add_patch(p);
   patches_[count].group_begin = static_cast<std::uint32_t>(groups_.size());
   patches_[count].loose_begin = static_cast<std::uint32_t>(loose_.size());
-  columns_.shrink_to_fit();
-  groups_.shrink_to_fit();
-  loose_.shrink_to_fit();
+  columns_ = large_copy(columns_);
+  groups_ = large_copy(groups_);
+  loose_ = large_copy(loose_);
+  sources_.settle();
 }
 
 std::uint32_t PackedSurface::bit_at(std::uint32_t patch, std::uint32_t row_index, std::int32_t column) const {

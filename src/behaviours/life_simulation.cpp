@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "verdigris/base/error.hpp"
+#include "verdigris/base/large_memory.hpp"
 #include "verdigris/behaviours/larger_than_life.hpp"
 #include "verdigris/behaviours/packed_life.hpp"
 #include "verdigris/surface/ghost_values.hpp"
@@ -23,7 +24,7 @@ std::vector<FieldInfo> alive_only() {
 }
 
 Field<std::uint8_t> first_generation(const SimulationSetup& setup, double density) {
-  Field<std::uint8_t> alive(setup.surface.slot_count(), 0);
+  Field<std::uint8_t> alive = large_vector(setup.surface.slot_count(), std::uint8_t{0});
   const auto rows = setup.surface.rows();
   const Field<float>* mask = setup.mask("alive");
   const std::uint64_t limit = threshold(density);

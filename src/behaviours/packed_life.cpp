@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "verdigris/base/error.hpp"
+#include "verdigris/base/large_memory.hpp"
 #include "word_rows.hpp"
 
 namespace verdigris {
@@ -162,8 +163,8 @@ std::uint64_t evolve(const PackedSurface& cells, std::size_t patch, const Table&
 PackedLife::PackedLife(const PackedSurface& cells, const LifeRule& rule)
     : cells_(cells),
       rule_(rule),
-      state_(cells.word_count() + 8, 0),
-      ghosts_(cells.sources().begin(cells.patch_count()) / 64 + 3, 0) {}
+      state_(large_vector(cells.word_count() + 8, std::uint64_t{0})),
+      ghosts_(large_vector(cells.sources().begin(cells.patch_count()) / 64 + 3, std::uint64_t{0})) {}
 
 void PackedLife::set(std::uint32_t bit, bool alive) {
   const std::uint64_t one = std::uint64_t{1} << (bit & 63);

@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "verdigris/base/error.hpp"
+#include "verdigris/base/large_memory.hpp"
 
 namespace verdigris {
 
@@ -58,7 +59,7 @@ FrontStepper<VoronoiRule<Word>> VoronoiGrowth::start(const SimulationSetup& setu
   if (!equal)
     for (const Seed& seed : setup.seeds) rule.speed.push_back(seed.weight / fastest);
 
-  Field<Word> state(setup.surface.slot_count(), Rule::empty);
+  Field<Word> state = large_vector(setup.surface.slot_count(), Word{Rule::empty});
   if (!setup.barrier.empty()) {
     for (const Row& row : setup.surface.rows())
       for (std::uint32_t slot = row.run_begin; slot < row.run_end; ++slot)

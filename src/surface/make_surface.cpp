@@ -12,6 +12,7 @@
 #include "pair_sort.hpp"
 #include "scan.hpp"
 #include "verdigris/base/error.hpp"
+#include "verdigris/base/large_memory.hpp"
 #include "verdigris/surface/surface.hpp"
 
 namespace verdigris {
@@ -193,6 +194,7 @@ class SurfaceBuilder {
     surface_.slot_count_ = slots;
     surface_.owned_count_ = owned;
 
+    reserve_large(surface_.rows_, rows + 2);
     surface_.rows_.resize(rows + 2);
     if (projected_) surface_.comp_in_.resize(rows);
     for_patches([&](std::size_t patch) {
@@ -222,7 +224,7 @@ class SurfaceBuilder {
 
   void make_row_hints() {
     auto& hint = surface_.row_hint_;
-    hint.resize((surface_.slot_count_ >> Surface::hint_shift) + 1);
+    hint = large_vector((surface_.slot_count_ >> Surface::hint_shift) + 1, std::uint32_t{0});
     const auto rows = surface_.rows();
     std::size_t row = 0;
     for (std::size_t k = 0; k < hint.size(); ++k) {

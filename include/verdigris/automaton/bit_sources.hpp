@@ -21,6 +21,9 @@ class BitSources {
   /// multiple of 16 bits.
   void add_patch(std::span<const std::uint32_t> sources);
 
+  /// No more patches come: gives back the room for them.
+  void settle();
+
   std::size_t patch_count() const { return patches_.size() - 1; }
   /// Bit of the stream where the ghosts of a patch begin; patch_count() gives the end.
   std::uint32_t begin(std::size_t patch) const { return patches_[patch].ghost_begin; }

@@ -7,6 +7,7 @@
 #include "verdigris/automaton/behaviour.hpp"
 #include "verdigris/automaton/ghost_carrier.hpp"
 #include "verdigris/automaton/pairs.hpp"
+#include "verdigris/base/large_memory.hpp"
 #include "verdigris/surface/surface.hpp"
 
 namespace verdigris {
@@ -21,7 +22,7 @@ class RowStepper {
   RowStepper(const Surface& surface, B behaviour, Field<State> state, std::uint64_t seed)
       : RowStepper(surface, std::move(behaviour), std::move(state), seed, Restart{}) {
     make_pairs_common([](std::uint32_t) {});
-    next_ = state_;
+    next_ = large_copy(state_);
   }
 
   /// Goes on with a run that stands at `restart`; there the pairs have been made common.
@@ -34,7 +35,7 @@ class RowStepper {
         seed_(seed),
         step_(restart.step) {
     carrier_.refresh(behaviour_, state_);
-    next_ = state_;
+    next_ = large_copy(state_);
   }
 
   const Field<State>& state() const { return state_; }

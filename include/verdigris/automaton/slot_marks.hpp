@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "verdigris/automaton/slot_list.hpp"
+#include "verdigris/base/large_memory.hpp"
 #include "verdigris/surface/surface.hpp"
 
 namespace verdigris {
@@ -20,7 +21,8 @@ class SlotMarks {
 
   /// Everything marked.
   explicit SlotMarks(const Surface& surface)
-      : rows_(surface.rows().data()), marks_(surface.slot_count() / 64 + 2, ~std::uint64_t{0}) {}
+      : rows_(surface.rows().data()),
+        marks_(large_vector(surface.slot_count() / 64 + 2, ~std::uint64_t{0})) {}
 
   std::size_t bytes() const { return marks_.size() * sizeof(marks_[0]); }
 
