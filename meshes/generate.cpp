@@ -40,9 +40,9 @@ std::vector<Model> models() {
       {"cylinder", "fine cylinder of long thin triangles, radius 0.02, length 2, closed",
        make_cylinder(0.02, 2.0, 12), 48, true, 2},
       {"terrain", "eroded mountains, 65 x 65 heights, metres, y up, open", make_terrain(), 8192, false, 1},
-      {"anchor", "admiralty anchor, closed, metres, y up", make_anchor(), 9728, true, 0},
-      {"bust", "bust on a pedestal, closed, decimetres, y up", make_bust(), 15716, true, 2},
-      {"roof", "gabled roof with standing seams and a chimney, closed, metres, y up", make_roof(), 1276, true,
+      {"anchor", "admiralty anchor, closed, metres, y up", make_anchor(), 18000, true, 0},
+      {"bear", "bear on a plinth, closed, decimetres, y up", make_bear(), 30000, true, -6},
+      {"roof", "gabled roof with standing seams and a chimney, closed, metres, y up", make_roof(), 3836, true,
        2},
   };
 }

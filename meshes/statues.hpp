@@ -7,8 +7,8 @@ namespace verdigris::meshes {
 /// An admiralty anchor hanging upright: ring, stock, shank, arms and flukes; metres, y up, closed.
 Mesh make_anchor();
 
-/// The bust of a woman with a bun on a pedestal with ledges, without features: decimetres, y up, closed.
-Mesh make_bust();
+/// A bear that sits on a plinth with ledges: decimetres, y up, closed.
+Mesh make_bear();
 
 /// A gabled roof of sheet metal with standing seams and a chimney, on a slab: metres, y up, closed.
 Mesh make_roof();

@@ -3,8 +3,8 @@
 #include <glm/geometric.hpp>
 #include <stdexcept>
 
-#include "soften.hpp"
 #include "verdigris/base/error.hpp"
+#include "verdigris/exposure/soften.hpp"
 #include "verdigris/exposure/water.hpp"
 #include "verdigris/surface/ghost_values.hpp"
 

@@ -1,4 +1,4 @@
-#include "soften.hpp"
+#include "verdigris/exposure/soften.hpp"
 
 #include <cmath>
 #include <limits>

@@ -9,6 +9,7 @@
 
 #include "cells.hpp"
 #include "entries.hpp"
+#include "hex_colour.hpp"
 #include "verdigris/base/error.hpp"
 #include "verdigris/exposure/lie.hpp"
 #include "verdigris/exposure/surface_field.hpp"
@@ -17,15 +18,6 @@
 namespace verdigris::weathering {
 
 namespace {
-
-glm::vec3 colour_of(const std::string& text) {
-  const bool hex = text.size() == 7 && text[0] == '#' &&
-                   text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
-  if (!hex) throw InputError("coat", fmt::format("'{}' is no colour", text), "write \"#rrggbb\"");
-  const unsigned long value = std::stoul(text.substr(1), nullptr, 16);
-  return {static_cast<float>(value >> 16) / 255.0f, static_cast<float>(value >> 8 & 255u) / 255.0f,
-          static_cast<float>(value & 255u) / 255.0f};
-}
 
 // A field drawn out along one axis: what bristles do to noise.
 class Drawn final : public ScalarField {
@@ -81,7 +73,7 @@ struct CoatOperator {
         throw InputError("coat", fmt::format("there is a coat '{}' already", layer), "give it another name");
     Coat coat;
     coat.layer.name = layer;
-    coat.layer.finish.colour = colour_of(colour);
+    coat.layer.finish.colour = colour_of(colour, "coat");
     coat.layer.finish.roughness = static_cast<float>(roughness);
     coat.layer.finish.specular = static_cast<float>(0.5 * (1.0 - roughness));
     coat.layer.finish.shininess = static_cast<float>(4.0 + 60.0 * (1.0 - roughness) * (1.0 - roughness));

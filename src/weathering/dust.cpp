@@ -9,10 +9,12 @@
 
 #include "cells.hpp"
 #include "entries.hpp"
+#include "hex_colour.hpp"
 #include "verdigris/base/error.hpp"
 #include "verdigris/exposure/curvature.hpp"
 #include "verdigris/exposure/lie.hpp"
 #include "verdigris/exposure/openness.hpp"
+#include "verdigris/exposure/soften.hpp"
 #include "verdigris/exposure/water.hpp"
 
 namespace verdigris::weathering {
@@ -39,47 +41,57 @@ Coat& loose_coat(CoatedMetal& metal, Layer layer) {
 
 struct Dust {
   static constexpr const char *name = "dust",
-                              *summary = "lets dust fall; it settles on what faces up and in hollows";
+                              *summary = "lets dust or soot fall; it settles on what faces up and in hollows";
   static std::vector<std::string> masks() { return {"where"}; }
-  double amount = 10.0, repose = 35.0, hollows = 0.5;
+  std::string layer = "dust", colour = "#7d7363";
+  double amount = 10.0, repose = 35.0, hollows = 0.5, cling = 0.0, opacity = 0.3, unit = 12.0;
 
   template <typename V>
   void parameters(V&& v) {
+    v("layer", layer, {}, "its name");
+    v("colour", colour, {}, "\"#rrggbb\"");
     v("amount", amount, 0.0, 1e5, "um", "that falls on level ground under the open sky");
     v("repose", repose, 1.0, 89.0, "degrees", "slope on which half of what arrives in a cell slides on");
     v("hollows", hollows, 0.0, 1.0, "1", "share that hollows, cracks and scratches hold on any slope");
+    v("cling", cling, 0.0, 1.0, "1",
+      "share of what the air brings to any place, underneath too, and sticks there: soot");
+    v("opacity", opacity, 0.0, 0.999, "1", "how little light passes");
+    v("unit", unit, 1e-6, 1e6, "um", "thickness that counts as 1 for the light");
   }
 
   OperatorReport apply(CoatedMetal& metal, const OperatorSetup& setup) const {
     const Surface& surface = setup.surface;
-    Layer layer;
-    layer.name = "dust";
-    layer.finish = {{0.49f, 0.45f, 0.39f}, 1.0f, 0.0f, 0.0f, 1.0f};
-    layer.opacity = 0.3;
-    layer.unit = 12.0;
-    layer.density = 1.2;
-    Coat& coat = loose_coat(metal, layer);
+    if (layer.empty()) throw InputError("dust", "it has no name", "write layer = \"dust\"");
+    Layer look;
+    look.name = layer;
+    look.finish = {colour_of(colour, "dust"), 1.0f, 0.0f, 0.0f, 1.0f};
+    look.opacity = opacity;
+    look.unit = unit;
+    look.density = 1.2;
+    Coat& coat = loose_coat(metal, look);
     const Field<float> sky = sky_view(surface, setup.up, {.rays = 64});
     const Field<float> slope = slope_mask(surface, setup.up);
     const Field<float> hollow = concavity(surface, default_radius(surface));
     const WaterPaths paths = make_water_paths(surface, {.up = setup.up});
     const Field<float>* where = setup.mask("where");
     OperatorReport report;
+    Field<float> laid(surface.slot_count(), 0.0f);
     std::vector<double> arrived(paths.cells.size(), 0.0);
-    double fallen = 0.0, lost = 0.0;
+    double fallen = 0.0, lost = 0.0, kept = 0.0;
     // From the highest cell to the lowest: what does not stay goes the way of water.
     for (std::size_t k = 0; k < paths.cells.size(); ++k) {
       const std::uint32_t slot = paths.slots[k];
       const double level = std::max(0.0, std::cos(static_cast<double>(slope[slot]) * 1.5707963267948966));
-      const double falls = amount * level * static_cast<double>(sky[slot]) * OperatorSetup::at(where, slot);
-      fallen += falls;
+      const double all = amount * OperatorSetup::at(where, slot);
+      const double falls = (1.0 - cling) * all * level * static_cast<double>(sky[slot]);
+      fallen += falls + cling * all;
       const double here = arrived[k] + falls;
-      if (!(here > 0.0)) continue;
       const double angle = 90.0 * static_cast<double>(slope[slot]);
       const double rough =
           std::max(static_cast<double>(hollow[slot]), static_cast<double>(metal.damage[slot]));
       const double holds = std::max(1.0 / (1.0 + std::exp((angle - repose) / 4.0)), hollows * rough);
       double stays = here * holds, slides = here - stays;
+      stays += cling * all;
       const auto& cell = paths.cells[k];
       const auto give = [&](std::uint32_t to, double much) {
         if (to == WaterPaths::stays)
@@ -103,10 +115,21 @@ struct Dust {
         rest -= much;
       }
       give(cell.to[0], rest);
+      laid[slot] = static_cast<float>(stays);
+      kept += stays;
+    }
+    // What slides goes in steps of more than a cell: it lies where it passed too, and is as much as before.
+    constexpr int passes = 2;
+    soften(surface, laid, passes);
+    double sum = 0.0;
+    each_owned(surface, [&](std::uint32_t slot) { sum += static_cast<double>(laid[slot]); });
+    const double scale = sum > 0.0 ? kept / sum : 0.0;
+    each_owned(surface, [&](std::uint32_t slot) {
+      const double stays = scale * static_cast<double>(laid[slot]);
       coat.thickness[slot] += static_cast<float>(stays);
       report.added += stays;
       report.cells += stays > 0.0;
-    }
+    });
     report.numbers = {{"fallen_um", fallen / static_cast<double>(surface.owned_count())},
                       {"lost_um", lost / static_cast<double>(surface.owned_count())}};
     return report;
@@ -119,6 +142,7 @@ struct Stain {
   static std::vector<std::string> masks() { return {"source"}; }
   std::string layer;
   double amount = 3.0, most = 40.0, reach = 0.25, meander = 12.0, gusts = 20.0, source_from = 2.0;
+  double meander_size = 0.0;
 
   template <typename V>
   void parameters(V&& v) {
@@ -127,6 +151,7 @@ struct Stain {
     v("most", most, 0.0, 1e5, "um", "greatest thickness of the stain; what comes more is washed off");
     v("reach", reach, 1e-3, 100.0, "1", "in which water lays down 63 %, in parts of the model's diagonal");
     v("meander", meander, 0.0, 60.0, "degrees", "how far roughness turns water aside; it makes rivulets");
+    v("meander_size", meander_size, 0.0, 1e9, "model units", "size of that roughness; 0: twelve cells");
     v("gusts", gusts, 0.0, 89.0, "degrees", "half the opening of the cone that rain comes in");
     v("source_from", source_from, 0.0, 1e5, "um", "thickness of bare product that gives all it can");
   }
@@ -143,7 +168,7 @@ struct Stain {
                                         OperatorSetup::at(given, slot));
     });
     const Field<float> rain = rain_exposure(surface, {setup.up, gusts}, {.rays = 64});
-    WaterPathSettings way{.up = setup.up, .meander = meander};
+    WaterPathSettings way{.up = setup.up, .meander = meander, .meander_size = meander_size};
     way.seed = setup.seed;
     const WaterPaths paths = make_water_paths(surface, way);
     const Bounds bounds = mesh_bounds(surface.mesh());

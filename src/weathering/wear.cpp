@@ -13,13 +13,13 @@ namespace {
 // Takes depth(slot) off coats `lowest` and above, then `into_metal` of what is left off the metal.
 template <typename Depth>
 OperatorReport wear(CoatedMetal& metal, const OperatorSetup& setup, double into_metal, bool brighten,
-                    Depth&& depth) {
+                    std::size_t lowest, Depth&& depth) {
   const Surface& surface = setup.surface;
   Field<float> taken(surface.slot_count(), 0.0f), cut(surface.slot_count(), 0.0f);
   for_owned(surface, [&](std::uint32_t slot) {
     const auto asked = static_cast<float>(depth(slot));
     if (!(asked > 0.0f)) return;
-    taken[slot] = take_off(metal, slot, asked);
+    taken[slot] = take_off(metal, slot, asked, lowest);
     const float rest = asked - taken[slot];
     if (!(rest > 0.0f)) return;
     const float metal_left = std::max(0.0f, static_cast<float>(metal.metal.thickness) - metal.loss[slot]);
@@ -45,16 +45,19 @@ struct Erode {
                               *summary = "wears coats down, the uppermost first, then the metal";
   static std::vector<std::string> masks() { return {"where"}; }
   double depth = 10.0, unevenness = 0.3, into_metal = 0.0;
+  std::string down_to;
 
   template <typename V>
   void parameters(V&& v) {
     v("depth", depth, 0.0, 1e6, "um", "taken where the mask is 1");
     v("unevenness", unevenness, 0.0, 1.0, "1", "random share of the depth, cell by cell");
     v("into_metal", into_metal, 0.0, 1.0, "1", "share of what coats do not give that the metal does");
+    v("down_to", down_to, {}, "the lowest coat that wears; empty: all, and the metal");
   }
   OperatorReport apply(CoatedMetal& metal, const OperatorSetup& setup) const {
     const Field<float>* where = setup.mask("where");
-    return wear(metal, setup, into_metal, false, [&](std::uint32_t slot) {
+    const std::size_t lowest = down_to.empty() ? 0 : find_coat(metal, down_to, "erode");
+    return wear(metal, setup, down_to.empty() ? into_metal : 0.0, false, lowest, [&](std::uint32_t slot) {
       const double u = uniform(setup.seed, 0, slot, 0x57454152);
       return depth * OperatorSetup::at(where, slot) * (1.0 - unevenness * u);
     });
@@ -82,7 +85,7 @@ struct Polish {
       convex = convexity(setup.surface, radius > 0.0 ? radius : default_radius(setup.surface));
       where = &convex;
     }
-    return wear(metal, setup, into_metal, true, [&](std::uint32_t slot) {
+    return wear(metal, setup, into_metal, true, 0, [&](std::uint32_t slot) {
       return depth * std::pow(OperatorSetup::at(where, slot), softness);
     });
   }

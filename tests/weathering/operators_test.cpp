@@ -155,6 +155,23 @@ TEST(Peel, FlakesAreWholeAndVolumeIsThatOfTheLostCoat) {
   EXPECT_LT(mean, 4.0 * flake * flake);
 }
 
+TEST(Erode, LeavesWhatLiesBelowTheLowestCoatItWears) {
+  const Surface s = surface_of(sheet(60.0, 4, 1));
+  CoatedMetal metal = make_coated_metal(s, find_material("bare-steel"));
+  apply(metal, {s}, "age", {{"years", 5.0}, {"onset", 0.0}});
+  const CoatedMetal before = metal;
+  ASSERT_EQ(metal.coats[1].layer.name, "fresh rust");
+  apply(metal, {s}, "erode",
+        {{"depth", 1e5}, {"unevenness", 0.0}, {"into_metal", 1.0}, {"down_to", std::string("fresh rust")}});
+  for_owned(s, [&](std::uint32_t slot) {
+    ASSERT_GT(before.coats[1].thickness[slot], 0.0f);
+    ASSERT_EQ(metal.coats[1].thickness[slot], 0.0f);
+    ASSERT_EQ(metal.coats[0].thickness[slot], before.coats[0].thickness[slot]);
+    ASSERT_EQ(metal.loss[slot], before.loss[slot]);
+  });
+  EXPECT_THROW(apply(metal, {s}, "erode", {{"down_to", std::string("glaze")}}), InputError);
+}
+
 TEST(Peel, SoundPaintHolds) {
   const Surface s = surface_of(sheet(100.0, 6, 1));
   CoatedMetal metal = painted(s, 80.0);
@@ -182,6 +199,29 @@ TEST(Dust, NoneIsLostOrMade) {
     (y > 0.8 ? top : y < 0.0 ? bottom : top) += y > 0.8 || y < 0.0 ? t : 0.0;
   });
   EXPECT_GT(top, 20.0 * bottom);
+}
+
+TEST(Dust, SootSticksUnderneathTooAndOnlyWhereItIsAsked) {
+  const Surface s = surface_of(read_mesh(VERDIGRIS_MESHES "/sphere.obj"), 0.02);
+  CoatedMetal metal = make_coated_metal(s, find_material("copper"));
+  OperatorSetup setup{s};
+  setup.masks = {{"where", Field<float>(s.slot_count(), 0.0f)}};
+  for_owned(
+      s, [&](std::uint32_t slot) { setup.masks[0].values[slot] = s.position(slot).x > 0.0 ? 1.0f : 0.0f; });
+  apply(
+      metal, setup, "dust",
+      {{"layer", std::string("soot")}, {"colour", std::string("#201c1a")}, {"amount", 5.0}, {"cling", 1.0}});
+  const Coat& soot = metal.coats.back();
+  EXPECT_EQ(soot.layer.name, "soot");
+  EXPECT_NEAR(static_cast<double>(soot.layer.finish.colour.r), 32.0 / 255.0, 1e-6);
+  for_owned(s, [&](std::uint32_t slot) {
+    const double x = s.position(slot).x;
+    if (std::abs(x) > 0.1) {
+      ASSERT_NEAR(static_cast<double>(soot.thickness[slot]), x > 0.0 ? 5.0 : 0.0, 0.01);
+    }
+  });
+  EXPECT_THROW(apply(metal, setup, "dust", {{"colour", std::string("grey")}}), InputError);
+  EXPECT_THROW(apply(metal, setup, "dust", {{"layer", std::string()}}), InputError);
 }
 
 TEST(Dust, LiesOnTheUppermostCoat) {
