@@ -3,13 +3,17 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
+#include <array>
 #include <glm/geometric.hpp>
 #include <set>
 
 #include "corrosion.hpp"
 #include "verdigris/base/error.hpp"
 #include "verdigris/behaviours/builtin.hpp"
+#include "verdigris/exposure/surface_field.hpp"
 #include "verdigris/io/read_mesh.hpp"
+#include "verdigris/synthesis/fractal_noise.hpp"
 
 using namespace growth;
 
@@ -73,6 +77,60 @@ TEST(CorrosionGrowth, ThicknessIsThatOfAppendix1) {
     });
   }
   EXPECT_GT(gone, s.owned_count());
+}
+
+// Chi-square statistic of where spots start in the first step against `mask`: ten bins of its values, nine
+// degrees of freedom. All starts are first ones: no cell has corroded before, and one in two hundred at most
+// is drawn twice. The corrosion itself knows of the mask or not.
+double chi_square_of_starts(const Surface& s, const Mask& mask, bool known, std::uint64_t seed) {
+  CorrosionParameters p;
+  p.strong = 0.0;
+  p.new_seeds = 0.01;
+  p.most_seeds = 1'000'000;
+  SimulationSetup setup{s, seed};
+  if (known) setup.masks = {mask};
+  CorrosionGrowth growth(setup, p);
+  growth.step();
+  const Field<std::int32_t> ages = growth.ages();
+  std::array<double, 10> starts{}, expected{};
+  double all_starts = 0.0, all_expected = 0.0;
+  for_owned(s, [&](std::uint32_t slot) {
+    const auto value = static_cast<double>(mask.values[slot]);
+    const auto bin = std::min<std::size_t>(9, static_cast<std::size_t>(10.0 * value));
+    expected[bin] += value, all_expected += value;  // cells are of one area
+    if (ages[slot] >= 0) ++starts[bin], ++all_starts;
+  });
+  double sum = 0.0;
+  for (std::size_t k = 0; k < 10; ++k) {
+    expected[k] *= all_starts / all_expected;
+    EXPECT_GT(expected[k], 5.0) << k;
+    sum += (starts[k] - expected[k]) * (starts[k] - expected[k]) / expected[k];
+  }
+  return sum;
+}
+
+TEST(CorrosionGrowth, SpotsStartInProportionToTheMask) {
+  Mesh mesh = read_mesh(VERDIGRIS_MESHES "/bear.obj");
+  const double size = cell_size_for(mesh, 400'000);
+  const Surface s = make_surface(std::move(mesh), {.cell_size = size});
+  Fbm noise;
+  noise.lattice.frequency = 5.0;
+  Mask seeding{"seeding", field_on_surface(s, *noise.make(3))};
+  stretch_to_unit(seeding.values, -0.45, 0.45);
+  // 99 % of chi-square values of 9 degrees, 0.1 and 99.9 % of those of 180.
+  constexpr double rare = 21.67, low = 127.0, high = 244.4;
+  double sum = 0.0;
+  int beyond = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const double one = chi_square_of_starts(s, seeding, true, seed);
+    sum += one;
+    beyond += one > rare;
+  }
+  EXPECT_GT(sum, low);
+  EXPECT_LT(sum, high);
+  EXPECT_LE(beyond, 3);
+  // It would tell a mask that is not heeded.
+  EXPECT_GT(chi_square_of_starts(s, seeding, false, 1), 10.0 * rare);
 }
 
 TEST(CorrosionGrowth, WithoutAttackNothingSpreads) {
