@@ -17,7 +17,7 @@ void check_scene(const Scene& scene, const BehaviourEntry& behaviour) {
   if (scene.picture.draw) check_picture(scene.picture);
   check_utf8(scene.mesh);
   check_utf8(scene.barrier.mask);
-  for (const MaskPlan& mask : scene.masks) check_utf8(mask.file);
+  for (const MaskPlan& mask : scene.masks) check_utf8(mask.file), check_utf8(mask.image);
   check_masks(scene, behaviour);
   if (behaviour.needs_seeds && scene.seeds.empty())
     throw InputError("seeds", fmt::format("{} needs some", behaviour.name),

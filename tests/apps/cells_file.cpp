@@ -48,6 +48,14 @@ CellsFile read_cells(const std::filesystem::path& file) {
   return cells;
 }
 
+std::vector<glm::dvec3> points_of(const std::filesystem::path& file) {
+  return appended<glm::dvec3>(content_of(file), "Float64", "Points");
+}
+
+std::vector<float> floats_of(const std::filesystem::path& file, const std::string& name) {
+  return appended<float>(content_of(file), "Float32", name);
+}
+
 std::vector<std::vector<double>> read_table(const std::filesystem::path& file) {
   std::istringstream lines(content_of(file));
   std::vector<std::vector<double>> table;

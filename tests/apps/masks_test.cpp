@@ -1,10 +1,12 @@
 // Masks of a scene: what drives a behaviour, and what bars growth.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "cells_file.hpp"
+#include "grey_ramp.hpp"
 #include "program.hpp"
 
 namespace {
@@ -67,6 +69,57 @@ TEST(Masks, OfFilesAreStretched) {
   EXPECT_NEAR(lowest, 0.75, 0.05);
 }
 
+TEST(Masks, OfCatalogueAndFormulasDriveBehaviours) {
+  const Workplace place;
+  place.cube();
+  std::string up = life;
+  up.replace(up.find("draw = false"), 12, "draw = false\nup = \"z\"");
+  const std::string scene = place.file(
+      "scene.toml", up + "[masks]\nlift = { source = \"height\", low = 1, high = 0 }\n"
+                         "alive = { formula = \"clamp(2 * lift * lift - 0.5 * (1 - facing), 0, 2)\" }\n");
+  ASSERT_EQ(verdigris({"run", scene, "--out", place.path("out")}).status, 0);
+  const std::vector<float> alive = floats_of(place.path("out/cells.vtp"), "mask_alive");
+  EXPECT_EQ(content_of(place.path("out/cells.vtp")).find("mask_lift"), std::string::npos);
+  const std::vector<glm::dvec3> points = points_of(place.path("out/cells.vtp"));
+  ASSERT_EQ(alive.size(), points.size());
+  for (std::size_t k = 0; k < alive.size(); ++k) {
+    const double z = points[k].z, lift = 1.0 - z, facing = z > 1.0 - 1e-6 ? 1.0 : 0.0;
+    ASSERT_NEAR(alive[k], std::clamp(2.0 * lift * lift - 0.5 * (1.0 - facing), 0.0, 1.0), 1e-4) << z;
+  }
+  ASSERT_EQ(verdigris({"run", place.path("out/run.toml"), "--out", place.path("again")}).status, 0);
+  EXPECT_TRUE(content_of(place.path("again/cells.vtp")) == content_of(place.path("out/cells.vtp")));
+  EXPECT_EQ(content_of(place.path("again/run.toml")), content_of(place.path("out/run.toml")));
+}
+
+// A square in the plane z = 0 whose texture coordinates are its own.
+std::string square(const Workplace& place) {
+  return place.file("square.obj",
+                    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                    "f 1/1 2/2 3/3 4/4\n");
+}
+
+TEST(Masks, OfImagesLieByTextureCoordinates) {
+  const Workplace place;
+  square(place);
+  write_grey_ramp(place.path("ramp.png"), 64, 2, 3);  // of 16 bits: darker than 1/255
+  std::string flat = life;
+  flat.replace(flat.find("cube"), 4, "square");
+  const std::string scene = place.file("scene.toml", flat + "[masks.alive]\nimage = \"ramp.png\"\nhigh = " +
+                                                         std::to_string(63 * 3 / 65535.0) + "\n");
+  ASSERT_EQ(verdigris({"run", scene, "--out", place.path("out")}).status, 0);
+  const std::vector<float> alive = floats_of(place.path("out/cells.vtp"), "mask_alive");
+  const std::vector<glm::dvec3> points = points_of(place.path("out/cells.vtp"));
+  ASSERT_EQ(alive.size(), points.size());
+  for (std::size_t k = 0; k < alive.size(); ++k) {
+    const double x = points[k].x;
+    if (x > 1.0 / 64 && x < 63.0 / 64) {
+      ASSERT_NEAR(alive[k], (64 * x - 0.5) / 63, 0.01);
+    }
+  }
+  ASSERT_EQ(verdigris({"run", place.path("out/run.toml"), "--out", place.path("again")}).status, 0);
+  EXPECT_TRUE(content_of(place.path("again/cells.vtp")) == content_of(place.path("out/cells.vtp")));
+}
+
 #ifdef VERDIGRIS_WITH_GL
 TEST(Masks, AreDrawn) {
   const Workplace place;
@@ -94,6 +147,18 @@ TEST(Masks, ThatCannotBeUsedAreRefused) {
   refused(voronoi + "[masks.strong]\nsource = \"fbm\"\n", "it takes only barrier");
   refused(life + "[masks.strong]\nsource = \"fbm\"\n", "it takes alive and barrier");
   refused(life + "[masks.alive]\nsource = \"moss\"\n", "moss");
+  refused(life + "[masks.alive]\nsource = \"ao\"\nscale = 2\n", "masks.alive");
+  refused(life + "[masks.alive]\nsource = \"ao\"\nrays = 3\n", "ao.rays");
+  refused(life + "[masks.alive]\nsource = \"ao\"\nlow = 1\n", "masks.alive");
+  refused(life + "[masks.alive]\nformula = \"ao + moss\"\n", "scene.toml:");
+  refused(life + "[masks.alive]\nformula = \"ao\"\nscale = 2\n", "scene.toml:");
+  refused(life + "[masks.idle]\nsource = \"ao\"\n[masks.alive]\nformula = \"sky\"\n", "masks.idle");
+  refused(life + "[masks.a]\nformula = \"b\"\n[masks.b]\nformula = \"a\"\n[masks.alive]\nformula = \"a\"\n",
+          "masks.");
+  refused(life + "[masks.alive]\nimage = \"none.png\"\n", "none.png");
+  refused(life + "[masks.alive]\nimage = \"numbers.txt\"\n", "numbers.txt");
+  write_grey_ramp(place.path("grey.png"), 1, 1, 1);
+  refused(life + "[masks.alive]\nimage = \"grey.png\"\n", "masks.alive");  // a model without coordinates
   refused(life + "[masks.alive]\nsource = \"fbm\"\nwidth = 3\n", "fbm.width");
   refused(life + "[masks.alive]\nsource = \"fbm\"\noctaves = 99\n", "fbm.octaves");
   refused(life + "[masks.alive]\nsource = \"fbm\"\nlow = 1\nhigh = 1.0\n", "scene.toml:");
