@@ -25,7 +25,7 @@ void write_timeline_csv(const std::filesystem::path& target, std::span<const Tim
   ReplaceFile file(target);
   file.write(
       "operation,op,years,cells,added_um,removed_um,metal_um,bare_share,corroded_share,gone_share,"
-      "damaged_share,mean_loss_um,greatest_loss_um,mass_loss_g_m2,seconds");
+      "damaged_share,mean_loss_um,greatest_loss_um,mass_loss_g_m2");
   for (const Coat& coat : metal.coats) file.write("," + plain(coat.layer.name) + "_um");
   file.write("\n");
   const double per_cell = 1.0 / std::max(1.0, static_cast<double>(cells));
@@ -34,10 +34,10 @@ void write_timeline_csv(const std::filesystem::path& target, std::span<const Tim
     const CoatedNumbers& n = r.numbers;
     file.write(
         fmt::format("{},{},{:.9g},{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},"
-                    "{:.9g},{:.3f}",
+                    "{:.9g}",
                     k + 1, r.op, r.years, r.report.cells, r.report.added * per_cell,
                     r.report.removed * per_cell, r.report.metal * per_cell, n.bare, n.corroded, n.gone,
-                    n.damaged, n.loss, n.deepest, n.mass_loss, r.seconds));
+                    n.damaged, n.loss, n.deepest, n.mass_loss));
     for (std::size_t c = 0; c < metal.coats.size(); ++c)
       file.write(fmt::format(",{:.9g}", c < n.coats.size() ? n.coats[c] : 0.0));
     file.write("\n");

@@ -8,7 +8,7 @@
 
 namespace verdigris {
 
-/// corrosion.csv, a row for each step measured:
+/// statistics.csv, a row for each step measured:
 /// `step,years,new_cells,corroded_cells,gone_cells,share,mean_depth_um,mean_depth_of_corroded_um,
 /// greatest_depth_um,mass_loss_g_m2,perimeter,spots,mean_spot_cells,largest_spot_cells`. The last four are
 /// empty where spots were not measured; the perimeter is in model units. Throws InputError when the file

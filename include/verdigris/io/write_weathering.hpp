@@ -10,7 +10,7 @@ namespace verdigris {
 
 /// timeline.csv, a row for each operation:
 /// `operation,op,years,cells,added_um,removed_um,metal_um,bare_share,corroded_share,gone_share,damaged_share,
-/// mean_loss_um,greatest_loss_um,mass_loss_g_m2,seconds`, then a column `NAME_um` for each coat there is in
+/// mean_loss_um,greatest_loss_um,mass_loss_g_m2`, then a column `NAME_um` for each coat there is in
 /// the end, its mean thickness. added, removed and metal are means over all cells of what the operation laid
 /// on coats, took off coats and off the metal. Throws InputError when the file cannot be written.
 void write_timeline_csv(const std::filesystem::path& file, std::span<const TimelineRecord> records,
