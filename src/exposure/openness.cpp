@@ -5,11 +5,14 @@
 #include "verdigris/exposure/openness.hpp"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "ray_scene.hpp"
 #include "sample_mesh.hpp"
@@ -51,7 +54,7 @@ class Openness {
         settings_(settings),
         scene_(surface.mesh()),
         mesh_(surface, settings.crease_angle),
-        finest_(settings.finest > 0.0 ? settings.finest : 4.0 * surface.cell_size()) {}
+        finest_(settings.finest > 0.0 ? settings.finest : 3.0 * surface.cell_size()) {}
 
   const RayScene& scene() const { return scene_; }
 
@@ -108,18 +111,32 @@ class Openness {
   }
 
   // The noise of too few rays is less than the tolerance: neighbours that differ by less are averaged.
+  // Samples on a border of the smooth surface have neighbours on one side only; the mean with them would lean
+  // that way, so they are averaged along the border.
   void smooth(std::vector<float>& values) const {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+    edges.reserve(3 * mesh_.pieces().size());
+    for (const SampleMesh::Piece& piece : mesh_.pieces())
+      for (std::size_t k = 0; k < 3; ++k)
+        edges.push_back(std::minmax({piece.samples[k], piece.samples[(k + 1) % 3]}));
+    tbb::parallel_sort(edges.begin(), edges.end());
+    std::vector<bool> at_border(values.size(), false);
+    const auto once = [&](std::size_t k) {
+      return (k == 0 || edges[k - 1] != edges[k]) && (k + 1 == edges.size() || edges[k + 1] != edges[k]);
+    };
+    for (std::size_t k = 0; k < edges.size(); ++k)
+      if (once(k)) at_border[edges[k].first] = at_border[edges[k].second] = true;
     constexpr int passes = 2;
     std::vector<float> sum(values.size()), weight(values.size());
     for (int pass = 0; pass < passes; ++pass) {
       for (std::size_t k = 0; k < values.size(); ++k) sum[k] = 4.0f * values[k], weight[k] = 4.0f;
-      for (const SampleMesh::Piece& piece : mesh_.pieces())
-        for (std::size_t k = 0; k < 3; ++k) {
-          const std::uint32_t a = piece.samples[k], b = piece.samples[(k + 1) % 3];
-          if (std::abs(values[a] - values[b]) > settings_.tolerance) continue;
-          sum[a] += values[b], weight[a] += 1.0f;
-          sum[b] += values[a], weight[b] += 1.0f;
-        }
+      for (std::size_t k = 0; k < edges.size(); ++k) {
+        const auto [a, b] = edges[k];
+        if (std::abs(values[a] - values[b]) > settings_.tolerance) continue;
+        const bool border = once(k);
+        if (!at_border[a] || border) sum[a] += values[b], weight[a] += 1.0f;
+        if (!at_border[b] || border) sum[b] += values[a], weight[b] += 1.0f;
+      }
       for (std::size_t k = 0; k < values.size(); ++k) values[k] = sum[k] / weight[k];
     }
   }

@@ -13,7 +13,7 @@ struct RayParameters {
   void parameters(V&& v) {
     v("rays", settings.rays, 16, 65536, "1", "rays of a sample; the error halves with twice as many");
     v("tolerance", settings.tolerance, 1e-4, 1.0, "1", "samples lie closer where the mask changes by more");
-    v("finest", settings.finest, 0.0, 1e9, "unit", "least distance of samples; 0: four cells");
+    v("finest", settings.finest, 0.0, 1e9, "unit", "least distance of samples; 0: three cells");
   }
   RaySettings with(std::uint64_t seed) const {
     RaySettings s = settings;

@@ -47,6 +47,15 @@ inline Mesh right_angle(double width, double half, double height) {
   return m;
 }
 
+/// Floor x and y in [0, size] at z = 0 and walls at x = 0 and y = 0 of height `height`, seen from inside.
+inline Mesh room_corner(double size, double height) {
+  Mesh m;
+  m.positions = {{0, 0, 0},      {size, 0, 0},      {size, size, 0},  {0, size, 0},
+                 {0, 0, height}, {0, size, height}, {size, 0, height}};
+  m.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 5}, {0, 5, 4}, {0, 4, 6}, {0, 6, 1}};
+  return m;
+}
+
 inline Mesh turned_inside_out(Mesh m) {
   for (glm::uvec3& t : m.triangles) std::swap(t[1], t[2]);
   return m;

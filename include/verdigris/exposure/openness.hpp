@@ -14,9 +14,9 @@ namespace verdigris {
 /// result changes; cells take what they interpolate to. Rays of a sample depend on the seed and on the
 /// sample only.
 struct RaySettings {
-  int rays = 256;              ///< a sample, >= 16; a quarter where those agree. The error goes as 1 / rays
+  int rays = 384;              ///< a sample, >= 16; a quarter where those agree. The error goes as 1 / rays
   double tolerance = 0.05;     ///< edges whose ends differ by more are halved ...
-  double finest = 0.0;         ///< ... down to this length, model units; 0: four cells
+  double finest = 0.0;         ///< ... down to this length, model units; 0: three cells
   double crease_angle = 40.0;  ///< degrees; the surface counts as smooth up to it
   std::uint64_t seed = 1;
 };
