@@ -1,5 +1,7 @@
 #include "layer_painter.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -18,13 +20,16 @@ using namespace verdigris;
 struct LayerPainter::State {
   std::optional<ReliefMaker> relief;
   SurfaceRenderer renderer;
+  float least_height;
 
   static RenderOptions options_for(bool relief) {
     RenderOptions options;
     options.relief = relief;
     return options;
   }
-  State(const Surface& surface, bool with_relief) : renderer(surface, options_for(with_relief)) {
+  State(const Surface& surface, bool with_relief)
+      : renderer(surface, options_for(with_relief)),
+        least_height(static_cast<float>(0.02 * surface.cell_size())) {
     if (with_relief) relief.emplace(surface);
   }
 };
@@ -37,7 +42,9 @@ Image LayerPainter::draw(std::span<const LayerCell> cells, const LayerStack& sta
   LayerPicture picture{cells, stack};
   picture.holes = holes;
   Relief relief;
-  if (state_->relief && !heights.empty()) {
+  // A relief of a fiftieth of a cell is not seen, and costs as much as one that is.
+  const auto seen = [&](float height) { return std::abs(height) > state_->least_height; };
+  if (state_->relief && std::any_of(heights.begin(), heights.end(), seen)) {
     relief = (*state_->relief)(std::move(heights));
     picture.relief = &relief;
   }

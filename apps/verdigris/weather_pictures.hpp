@@ -14,6 +14,7 @@ class WeatherPainter {
   verdigris::Image draw(const verdigris::CoatedMetal& metal, const verdigris::Camera& camera);
 
  private:
+  const verdigris::Surface& surface_;
   const verdigris::Scene& scene_;
   LayerPainter painter_;
 };

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "verdigris/picture/patina.hpp"
+#include "verdigris/surface/ghost_values.hpp"
 
 namespace verdigris {
 
@@ -21,10 +22,14 @@ struct Drawn {
 };
 
 template <typename Visit>
-void for_slots(std::size_t slots, Visit&& visit) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, slots, 8192),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      for (std::size_t slot = range.begin(); slot < range.end(); ++slot) visit(slot);
+void for_owned(const Surface& surface, Visit&& visit) {
+  const auto rows = static_cast<std::uint32_t>(surface.rows().size());
+  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, rows, 256),
+                    [&](const tbb::blocked_range<std::uint32_t>& range) {
+                      for (std::uint32_t row = range.begin(); row < range.end(); ++row) {
+                        const SlotRun run = surface.owned(row);
+                        for (std::uint32_t slot = run.begin; slot < run.end; ++slot) visit(slot);
+                      }
                     });
 }
 
@@ -34,8 +39,8 @@ bool alike(const Coat& a, const Coat& b) {
 }
 
 // Moves layer `lower` up to `upper`, as much of it as is seen there.
-void merge(std::vector<Drawn>& layers, std::size_t upper, std::size_t lower) {
-  for_slots(layers[upper].depth.size(), [&](std::size_t slot) {
+void merge(const Surface& surface, std::vector<Drawn>& layers, std::size_t upper, std::size_t lower) {
+  for_owned(surface, [&](std::uint32_t slot) {
     float between = 0.0f;
     for (std::size_t k = upper + 1; k < lower; ++k) between += layers[k].depth[slot];
     layers[upper].depth[slot] += layers[lower].depth[slot] * std::exp(-between);
@@ -43,10 +48,10 @@ void merge(std::vector<Drawn>& layers, std::size_t upper, std::size_t lower) {
   layers.erase(layers.begin() + static_cast<std::ptrdiff_t>(lower));
 }
 
-void reduce(std::vector<Drawn>& layers) {
+void reduce(const Surface& surface, std::vector<Drawn>& layers) {
   for (std::size_t upper = 0; upper < layers.size() && layers.size() > most_layers; ++upper)
     for (std::size_t lower = upper + 1; lower < layers.size() && layers.size() > most_layers; ++lower)
-      if (alike(*layers[upper].coat, *layers[lower].coat)) merge(layers, upper, lower--);
+      if (alike(*layers[upper].coat, *layers[lower].coat)) merge(surface, layers, upper, lower--);
   if (layers.size() <= most_layers) return;
   for (Drawn& drawn : layers)
     for (const float depth : drawn.depth) drawn.seen += 1.0 - std::exp(-static_cast<double>(depth));
@@ -57,7 +62,7 @@ void reduce(std::vector<Drawn>& layers) {
 
 }  // namespace
 
-CoatPicture picture_of(const CoatedMetal& metal, std::span<const std::uint8_t> tints,
+CoatPicture picture_of(const Surface& surface, const CoatedMetal& metal, std::span<const std::uint8_t> tints,
                        std::span<const std::uint8_t> open) {
   const std::size_t slots = metal.loss.size();
   std::vector<Drawn> layers;
@@ -67,31 +72,32 @@ CoatPicture picture_of(const CoatedMetal& metal, std::span<const std::uint8_t> t
     drawn.look.clear_depth = static_cast<float>(coat->layer.unit);
     // Paint is of one colour, patina never.
     if (coat->kind == CoatKind::applied) drawn.look.far_colour = 1.06f * drawn.look.colour;
-    for_slots(slots, [&](std::size_t slot) {
+    for_owned(surface, [&](std::uint32_t slot) {
       drawn.depth[slot] = optical_depth(drawn.look, std::max(0.0f, coat->thickness[slot]));
     });
     if (std::any_of(drawn.depth.begin(), drawn.depth.end(), [](float depth) { return depth > 0.0f; }))
       layers.push_back(std::move(drawn));
   }
-  reduce(layers);
+  reduce(surface, layers);
   CoatPicture picture;
   picture.stack.substrate = look_of(metal.metal.metal);
   for (const Drawn& drawn : layers) picture.stack.layers.push_back(drawn.look);
   picture.cells.resize(slots);
-  for_slots(slots, [&](std::size_t slot) {
+  for_owned(surface, [&](std::uint32_t slot) {
     LayerCell& cell = picture.cells[slot];
     for (std::size_t k = 0; k < layers.size(); ++k) cell.depth[k] = LayerCell::packed(layers[k].depth[slot]);
-    cell.present = metal.gone(static_cast<std::uint32_t>(slot)) ? 0 : 255;
+    cell.present = metal.gone(slot) ? 0 : 255;
     if (!tints.empty()) cell.tint = tints[slot];
     const float seen = open.empty() ? 255.0f : static_cast<float>(open[slot]);
     cell.open = static_cast<std::uint8_t>(seen * (1.0f - 0.5f * std::clamp(metal.damage[slot], 0.0f, 1.0f)));
   });
+  copy_to_ghosts(surface, picture.cells);
   return picture;
 }
 
-std::vector<float> coat_heights(const CoatedMetal& metal) {
-  std::vector<float> heights(metal.loss.size());
-  for_slots(heights.size(), [&](std::size_t slot) {
+std::vector<float> coat_heights(const Surface& surface, const CoatedMetal& metal) {
+  std::vector<float> heights(metal.loss.size(), 0.0f);
+  for_owned(surface, [&](std::uint32_t slot) {
     float height = -metal.loss[slot];
     for (const Coat& coat : metal.coats) height += coat.thickness[slot];
     heights[slot] = height;

@@ -60,8 +60,8 @@ OperatorReport apply(const OperatorEntry& entry, CoatedMetal& metal, const Opera
 // Shows the moments of a timeline as its operations come to them.
 class Moments {
  public:
-  Moments(const Surface& surface, const TimelineListener& listener)
-      : surface_(surface), listener_(listener), count_(listener.at ? listener.moments.size() : 0) {}
+  explicit Moments(const TimelineListener& listener)
+      : listener_(listener), count_(listener.at ? listener.moments.size() : 0) {}
 
   // Those up to a place whose state is at hand.
   void until(double place, const CoatedMetal& metal) {
@@ -72,15 +72,13 @@ class Moments {
     const auto begin = static_cast<double>(step);
     for (std::size_t k = next_; k < count_ && listener_.moments[k] < begin + 1.0; ++k)
       setup.moments.push_back(listener_.moments[k] - begin);
-    setup.show = [this, first = next_](std::size_t moment, CoatedMetal& metal) {
-      show_ghosts(surface_, metal);
+    setup.show = [this, first = next_](std::size_t moment, const CoatedMetal& metal) {
       listener_.at(first + moment, metal);
     };
   }
   void given(const OperatorSetup& setup) { next_ += setup.moments.size(); }
 
  private:
-  const Surface& surface_;
   const TimelineListener& listener_;
   std::size_t count_, next_ = 0;
 };
@@ -113,7 +111,7 @@ std::vector<TimelineRecord> run_timeline(const OperatorCatalogue& operators, con
                                          const TimelineListener& listener) {
   std::vector<TimelineRecord> records;
   double years = 0.0;
-  Moments moments(surface, listener);
+  Moments moments(listener);
   const std::vector<double> durations = timeline_years(operators, steps);
   for (std::size_t k = 0; k < steps.size(); ++k) {
     moments.until(static_cast<double>(k), metal);
@@ -124,6 +122,7 @@ std::vector<TimelineRecord> run_timeline(const OperatorCatalogue& operators, con
     const auto words = CellRandom(seed, 0, static_cast<std::uint32_t>(k)).words(step_purpose);
     setup.seed = std::uint64_t{words[0]} << 32 | words[1];
     setup.up = up;
+    setup.exposures = &masks.exposures();
     for (const auto& [name, expression] : given.masks)
       setup.masks.push_back(
           {name, masks.evaluate(expression, fmt::format("{}.{}", where_of(steps[k]), name), metal)});

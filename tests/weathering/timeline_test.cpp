@@ -57,11 +57,13 @@ TEST(Timeline, MasksAreFormulasOfTheSurfaceAndItsState) {
   });
 }
 
-// Metal lost and coats, [slot] one after the other.
-std::vector<float> content(const CoatedMetal& metal) {
-  std::vector<float> all = metal.loss;
-  all.insert(all.end(), metal.corroded.begin(), metal.corroded.end());
-  for (const Coat& coat : metal.coats) all.insert(all.end(), coat.thickness.begin(), coat.thickness.end());
+// Metal lost, years corroded and coats of owned cells.
+std::vector<float> content(const Surface& s, const CoatedMetal& metal) {
+  std::vector<float> all;
+  for_owned(s, [&](std::uint32_t slot) {
+    all.insert(all.end(), {metal.loss[slot], metal.corroded[slot]});
+    for (const Coat& coat : metal.coats) all.push_back(coat.thickness[slot]);
+  });
   return all;
 }
 
@@ -76,24 +78,24 @@ TEST(Timeline, ShowsItsMomentsAsRunsThatEndThere) {
     listener.moments = {0.0, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0};
     listener.at = [&](std::size_t k, const CoatedMetal& metal) {
       ASSERT_EQ(k, shown.size());
-      shown.push_back(content(metal));
+      shown.push_back(content(s, metal));
     };
     CoatedMetal metal = make_coated_metal(s, find_material("copper"));
     const std::vector<TimelineStep> steps{paint, age(8.0), wear};
     EXPECT_EQ(timeline_years(builtin_operators(), steps), (std::vector<double>{0.0, 8.0, 0.0}));
     run(s, metal, steps, listener);
     ASSERT_EQ(shown.size(), 7u);
-    EXPECT_EQ(shown[6], content(metal));
+    EXPECT_EQ(shown[6], content(s, metal));
     EXPECT_EQ(shown[5], shown[6]);  // wear takes no time
     // Watching changes nothing.
     CoatedMetal unseen = make_coated_metal(s, find_material("copper"));
     run(s, unseen, steps);
-    EXPECT_EQ(content(unseen), content(metal));
+    EXPECT_EQ(content(s, unseen), content(s, metal));
     for (const std::size_t k : {2u, 3u, 4u}) {
       CoatedMetal until = make_coated_metal(s, find_material("copper"));
       run(s, until, {paint, age(2.0 * static_cast<double>(k == 4 ? 4 : k - 1))});
       std::size_t differing = 0;
-      const std::vector<float> ended = content(until);
+      const std::vector<float> ended = content(s, until);
       for (std::size_t i = 0; i < ended.size(); ++i) differing += std::abs(ended[i] - shown[k][i]) > 1e-3f;
       EXPECT_EQ(differing, 0u) << spread << " " << k;
     }
@@ -139,7 +141,7 @@ TEST(CoatPicture, HoldsTheUppermostFirstAndJoinsWhatLooksAlike) {
   const Surface s = surface_of(sheet(30.0, 2, 1));
   CoatedMetal metal = make_coated_metal(s, find_material("bare-steel"));
   run(s, metal, {paint});
-  CoatPicture picture = picture_of(metal);
+  CoatPicture picture = picture_of(s, metal);
   ASSERT_EQ(picture.stack.layers.size(), 1u);  // no rust yet
   const std::uint32_t slot = s.rows()[s.row_begin(0) + 3].run_begin;
   EXPECT_EQ(picture.cells[slot].depth[0], LayerCell::packed(optical_depth(picture.stack.layers[0], 40.0f)));
@@ -153,9 +155,9 @@ TEST(CoatPicture, HoldsTheUppermostFirstAndJoinsWhatLooksAlike) {
   metal.coats.back().thickness[slot + 1] = 4.0f;
   run(s, metal, {{"coat", {{"layer", "lacquer"}, {"thickness", 1.0}}, ""}, {"dust", {}, ""}});
   ASSERT_EQ(metal.coats.size(), 6u);
-  picture = picture_of(metal);
+  picture = picture_of(s, metal);
   EXPECT_EQ(picture.stack.layers.size(), most_layers);
-  EXPECT_EQ(coat_heights(metal)[slot] > 99.0f, true);
+  EXPECT_EQ(coat_heights(s, metal)[slot] > 99.0f, true);
 }
 
 }  // namespace

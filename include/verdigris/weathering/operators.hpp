@@ -12,6 +12,7 @@
 
 #include "verdigris/automaton/catalogue.hpp"
 #include "verdigris/base/parameters.hpp"
+#include "verdigris/exposure/exposure_cache.hpp"
 #include "verdigris/weathering/coated_metal.hpp"
 
 namespace verdigris {
@@ -23,10 +24,11 @@ struct OperatorSetup {
   std::vector<Mask> masks = {};                     ///< those of OperatorEntry::masks given
   glm::dvec3 up{0.0, 1.0, 0.0};                     ///< away from the ground
   std::function<bool(double share)> progress = {};  ///< false: stop here
+  ExposureCache* exposures = nullptr;               ///< what is known of the surface; null: nothing yet
   /// Shares of its years, ascending in 0..1, at which an operator that takes time shows the state reached:
-  /// `show` gets the number of the moment and a state whose ghosts are not yet those of their owners.
+  /// `show` gets the number of the moment and a state whose ghosts mean nothing.
   std::vector<double> moments = {};
-  std::function<void(std::size_t moment, CoatedMetal&)> show = {};
+  std::function<void(std::size_t moment, const CoatedMetal&)> show = {};
 
   /// The values of mask `name`; null when there is none.
   const Field<float>* mask(std::string_view name) const;

@@ -37,7 +37,8 @@ struct TimelineListener {
   /// After each operation.
   std::function<void(std::size_t step, const CoatedMetal&, const TimelineRecord&)> after = {};
   /// Places in the timeline, ascending, that `at` wants to see: 2.25 is a quarter of the years into operation
-  /// 2, when operations 0 and 1 are done. Only operators that take time are seen between whole numbers.
+  /// 2, when operations 0 and 1 are done. Only operators that take time are seen between whole numbers;
+  /// ghosts of what is seen there mean nothing.
   std::vector<double> moments = {};
   std::function<void(std::size_t moment, const CoatedMetal&)> at = {};
 };
