@@ -86,7 +86,7 @@ ImageValues values_of(const GreyImage& image) {
 class MaskMaker {
  public:
   MaskMaker(const Surface& surface, const Scene& scene, const ReadReport& read)
-      : surface_(surface), scene_(scene), read_(read), catalogue_(builtin_masks()) {
+      : surface_(surface), exposures_(surface), scene_(scene), read_(read), catalogue_(builtin_masks()) {
     for (const MaskPlan& mask : scene.masks) names_.push_back(mask.name);
     for (const MaskEntry& entry : catalogue_.entries())
       if (std::find(names_.begin(), names_.end(), entry.name) == names_.end()) names_.push_back(entry.name);
@@ -140,9 +140,8 @@ class MaskMaker {
     return values;
   }
 
-  Field<float> from_catalogue(const MaskEntry& entry, const ParameterValues& given,
-                              std::uint64_t seed) const {
-    return entry.create(surface_, with_up(entry, given, scene_.picture.up), seed);
+  Field<float> from_catalogue(const MaskEntry& entry, const ParameterValues& given, std::uint64_t seed) {
+    return entry.create(exposures_, with_up(entry, given, scene_.picture.up), seed);
   }
 
   Field<float> from_formula(const MaskPlan& mask) {
@@ -153,6 +152,7 @@ class MaskMaker {
   }
 
   const Surface& surface_;
+  ExposureCache exposures_;
   const Scene& scene_;
   const ReadReport& read_;
   MaskCatalogue catalogue_;

@@ -48,7 +48,8 @@ ParameterValues with_up(const MaskEntry& entry, ParameterValues given, const std
 
 Field<float> make_mask(const Surface& surface, std::string_view name, const ParameterValues& values,
                        std::uint64_t seed) {
-  return builtin_masks().find(name).create(surface, values, seed);
+  ExposureCache exposures(surface);
+  return builtin_masks().find(name).create(exposures, values, seed);
 }
 
 }  // namespace verdigris

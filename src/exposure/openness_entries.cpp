@@ -47,8 +47,8 @@ struct SkyMask {
     v("up", up, {}, "direction of the sky: an axis or three numbers");
     rays.parameters(v);
   }
-  Field<float> make(const Surface& surface, std::uint64_t seed) const {
-    return sky_view(surface, parse_direction(up, "sky.up"), rays.with(seed));
+  Field<float> make(ExposureCache& exposures, std::uint64_t seed) const {
+    return exposures.sky_view(parse_direction(up, "sky.up"), rays.with(seed));
   }
 };
 
@@ -64,8 +64,8 @@ struct RainMask {
     v("spread", spread, 0.0, 89.0, "degree", "half the opening of the cone that drops come in");
     rays.parameters(v);
   }
-  Field<float> make(const Surface& surface, std::uint64_t seed) const {
-    return rain_exposure(surface, {parse_direction(from, "rain.from"), spread}, rays.with(seed));
+  Field<float> make(ExposureCache& exposures, std::uint64_t seed) const {
+    return exposures.rain_exposure({parse_direction(from, "rain.from"), spread}, rays.with(seed));
   }
 };
 

@@ -26,19 +26,19 @@ struct RunOff {
     v("drip-length", drip_length, 0.0, 1e9, "unit", "how far water clings to ceilings; 0: 1/20 of the model");
     v("rim-share", rim_share, 0.0, 1.0, "1", "of the water at a sharp lower rim, what drips from it");
   }
-  WaterResult run(const Surface& surface, std::uint64_t seed, std::span<const float> source,
+  WaterResult run(ExposureCache& exposures, std::uint64_t seed, std::span<const float> source,
                   StormSettings storm) const {
     const glm::dvec3 above = parse_direction(up, "up");
-    const Field<float> rain = rain_exposure(
-        surface, {from.empty() ? above : parse_direction(from, "from"), spread}, {.rays = 64, .seed = seed});
-    const WaterPaths paths = make_water_paths(surface, {.up = above,
-                                                        .meander = meander,
-                                                        .meander_size = meander_size,
-                                                        .drip_length = drip_length,
-                                                        .rim_share = rim_share,
-                                                        .seed = seed});
+    const Field<float>& rain = exposures.rain_exposure(
+        {from.empty() ? above : parse_direction(from, "from"), spread}, {.rays = 64, .seed = seed});
+    const WaterPaths& paths = exposures.water_paths({.up = above,
+                                                     .meander = meander,
+                                                     .meander_size = meander_size,
+                                                     .drip_length = drip_length,
+                                                     .rim_share = rim_share,
+                                                     .seed = seed});
     storm.film = film;
-    return run_water(surface, paths, rain, source, storm);
+    return run_water(exposures.surface(), paths, rain, source, storm);
   }
 };
 
@@ -53,8 +53,8 @@ struct WetnessMask {
     water.parameters(v);
     v("wetting-flow", wetting_flow, 0.0, 1e9, "unit", "flow that wets to 63 %; 0: a tenth of the model");
   }
-  Field<float> make(const Surface& surface, std::uint64_t seed) const {
-    return water.run(surface, seed, {}, {.wetting_flow = wetting_flow}).wetness;
+  Field<float> make(ExposureCache& exposures, std::uint64_t seed) const {
+    return water.run(exposures, seed, {}, {.wetting_flow = wetting_flow}).wetness;
   }
 };
 
@@ -67,8 +67,8 @@ struct FlowMask {
   void parameters(V&& v) {
     water.parameters(v);
   }
-  Field<float> make(const Surface& surface, std::uint64_t seed) const {
-    return water.run(surface, seed, {}, {}).flow;
+  Field<float> make(ExposureCache& exposures, std::uint64_t seed) const {
+    return water.run(exposures, seed, {}, {}).flow;
   }
 };
 
@@ -81,8 +81,8 @@ struct StoredMask {
   void parameters(V&& v) {
     water.parameters(v);
   }
-  Field<float> make(const Surface& surface, std::uint64_t seed) const {
-    return water.run(surface, seed, {}, {}).stored;
+  Field<float> make(ExposureCache& exposures, std::uint64_t seed) const {
+    return water.run(exposures, seed, {}, {}).stored;
   }
 };
 
@@ -100,12 +100,13 @@ struct StainMask {
     v("radius", radius, 0.0, 1e9, "unit", "over which convex and cavity are seen; 0: 1/100 of the model");
     v("deposit-length", deposit_length, 0.0, 1e9, "unit", "how far it is carried; 0: a quarter of the model");
   }
-  Field<float> make(const Surface& surface, std::uint64_t seed) const {
+  Field<float> make(ExposureCache& exposures, std::uint64_t seed) const {
+    const Surface& surface = exposures.surface();
     const double r = radius > 0.0 ? radius : default_radius(surface);
     const Field<float> dissolves = source == "convex"   ? convexity(surface, r)
                                    : source == "cavity" ? concavity(surface, r)
                                                         : Field<float>(surface.slot_count(), 1.0f);
-    Field<float> stain = water.run(surface, seed, dissolves, {.deposit_length = deposit_length}).stain;
+    Field<float> stain = water.run(exposures, seed, dissolves, {.deposit_length = deposit_length}).stain;
     // The strongest hundredth counts as full: single cells where water stands must not dim all others.
     std::vector<float> sorted;
     for (const float s : stain)

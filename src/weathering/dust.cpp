@@ -69,10 +69,12 @@ struct Dust {
     look.unit = unit;
     look.density = 1.2;
     Coat& coat = loose_coat(metal, look);
-    const Field<float> sky = sky_view(surface, setup.up, {.rays = 64});
+    ExposureCache own(surface);
+    ExposureCache& exposures = setup.exposures != nullptr ? *setup.exposures : own;
+    const Field<float>& sky = exposures.sky_view(setup.up, {.rays = 64});
     const Field<float> slope = slope_mask(surface, setup.up);
     const Field<float> hollow = concavity(surface, default_radius(surface));
-    const WaterPaths paths = make_water_paths(surface, {.up = setup.up});
+    const WaterPaths& paths = exposures.water_paths({.up = setup.up});
     const Field<float>* where = setup.mask("where");
     OperatorReport report;
     Field<float> laid(surface.slot_count(), 0.0f);
@@ -167,7 +169,9 @@ struct Stain {
       source[slot] = static_cast<float>(bare * std::min(1.0, much / std::max(source_from, 1e-9)) *
                                         OperatorSetup::at(given, slot));
     });
-    const Field<float> rain = rain_exposure(surface, {setup.up, gusts}, {.rays = 64});
+    ExposureCache own(surface);
+    ExposureCache& exposures = setup.exposures != nullptr ? *setup.exposures : own;
+    const Field<float>& rain = exposures.rain_exposure({setup.up, gusts}, {.rays = 64});
     WaterPathSettings way{.up = setup.up, .meander = meander, .meander_size = meander_size};
     way.seed = setup.seed;
     const WaterPaths paths = make_water_paths(surface, way);

@@ -34,7 +34,7 @@ std::vector<std::string> mask_book_names(const std::vector<std::string>& own, co
 
 MaskBook::MaskBook(const Surface& surface, std::vector<Mask> own, std::string up, std::uint64_t seed,
                    MaskCatalogue sources)
-    : surface_(surface),
+    : exposures_(surface),
       own_(std::move(own)),
       up_(std::move(up)),
       seed_(seed),
@@ -43,7 +43,7 @@ MaskBook::MaskBook(const Surface& surface, std::vector<Mask> own, std::string up
 const Field<float>& MaskBook::source(const std::string& name) {
   if (const auto found = made_.find(name); found != made_.end()) return found->second;
   const MaskEntry& entry = sources_.find(name);
-  return made_.emplace(name, entry.create(surface_, with_up(entry, {}, up_), seed_)).first->second;
+  return made_.emplace(name, entry.create(exposures_, with_up(entry, {}, up_), seed_)).first->second;
 }
 
 Field<float> MaskBook::evaluate(const std::string& expression, const std::string& where,
@@ -65,7 +65,7 @@ Field<float> MaskBook::evaluate(const std::string& expression, const std::string
       fields[k] = &source(names[k]);
     }
   }
-  return formula.evaluate(fields, surface_.slot_count());
+  return formula.evaluate(fields, exposures_.surface().slot_count());
 }
 
 }  // namespace verdigris

@@ -25,10 +25,11 @@ ParameterValues needed(const MaskEntry& entry) {
 TEST(MaskCatalogue, EverySourceMakesAFieldWithoutHolesOrSeams) {
   const Surface surface = shapes::with_cells(coloured_torus(), 5'000);
   const MaskCatalogue catalogue = builtin_masks();
+  ExposureCache exposures(surface);
   for (const MaskEntry& entry : catalogue.entries()) {
     SCOPED_TRACE(entry.name);
     EXPECT_FALSE(entry.summary.empty());
-    const Field<float> field = entry.create(surface, needed(entry), 1);
+    const Field<float> field = entry.create(exposures, needed(entry), 1);
     ASSERT_EQ(field.size(), surface.slot_count());
     float least = 1e30f, greatest = -1e30f;
     shapes::each_cell(surface, [&](std::uint32_t slot) {
@@ -56,6 +57,28 @@ TEST(MaskCatalogue, IsReachedByNameAndTakesParameters) {
       surface, [&](std::uint32_t slot) { ASSERT_NEAR(height[slot], 1.0 - surface.position(slot).z, 1e-6); });
 }
 
+TEST(ExposureCache, GivesWhatTheFunctionsGiveAndFindsItOnce) {
+  const Surface surface = shapes::with_cells(shapes::torus(2.0, 0.8, 24, 12), 5'000);
+  ExposureCache known(surface);
+  const glm::dvec3 up(0, 0, 1);
+  const RaySettings rays{.rays = 64, .seed = 7};
+  const Field<float>& rain = known.rain_exposure({up, 30.0}, rays);
+  EXPECT_EQ(rain, rain_exposure(surface, {up, 30.0}, rays));
+  EXPECT_EQ(&known.rain_exposure({up, 30.0}, rays), &rain);
+  EXPECT_NE(known.rain_exposure({up, 31.0}, rays), rain);
+  EXPECT_NE(known.rain_exposure({up, 30.0}, {.rays = 64, .seed = 8}), rain);
+  EXPECT_EQ(known.sky_view(up, rays), sky_view(surface, up, rays));
+  EXPECT_NE(known.sky_view(up, rays), known.sky_view(-up, rays));
+  const WaterPaths& straight = known.water_paths({.up = up});
+  EXPECT_EQ(&known.water_paths({.up = up}), &straight);
+  EXPECT_NE(&known.water_paths({.up = up, .meander = 10.0}), &straight);
+  EXPECT_EQ(straight.slots, make_water_paths(surface, {.up = up}).slots);
+  // A mask made after another is the same as alone.
+  const MaskCatalogue catalogue = builtin_masks();
+  catalogue.find("wetness").create(known, {}, 1);
+  EXPECT_EQ(catalogue.find("flow").create(known, {}, 1), make_mask(surface, "flow"));
+}
+
 TEST(MaskCatalogue, RefusesWhatItDoesNotKnow) {
   const Surface surface = shapes::with_cells(shapes::cube(1.0), 600);
   EXPECT_THROW(make_mask(surface, "glow"), InputError);
@@ -68,8 +91,8 @@ TEST(MaskCatalogue, RefusesWhatItDoesNotKnow) {
 
 TEST(MaskCatalogue, IsOpenFromOutside) {
   MaskCatalogue catalogue = builtin_masks();
-  catalogue.add({"none", "nothing", "1", {}, [](const Surface& s, const ParameterValues&, std::uint64_t) {
-                   return Field<float>(s.slot_count(), 0.0f);
+  catalogue.add({"none", "nothing", "1", {}, [](ExposureCache& known, const ParameterValues&, std::uint64_t) {
+                   return Field<float>(known.surface().slot_count(), 0.0f);
                  }});
   EXPECT_EQ(catalogue.find("none").summary, "nothing");
   EXPECT_THROW(catalogue.add({"ao", "", "1", {}, {}}), std::invalid_argument);

@@ -9,6 +9,7 @@
 
 #include "verdigris/automaton/behaviour.hpp"
 #include "verdigris/base/parameters.hpp"
+#include "verdigris/exposure/exposure_cache.hpp"
 #include "verdigris/surface/surface.hpp"
 
 namespace verdigris {
@@ -21,7 +22,7 @@ struct MaskEntry {
   std::vector<ParameterInfo> parameters;
   /// [slot], ghosts included. Throws InputError for parameters it does not have or cannot use, and for a
   /// surface without what it needs.
-  std::function<Field<float>(const Surface&, const ParameterValues&, std::uint64_t seed)> create;
+  std::function<Field<float>(ExposureCache&, const ParameterValues&, std::uint64_t seed)> create;
 };
 
 /// Mask sources by name. A value: whoever makes one may add to it, from outside the library too.
@@ -40,12 +41,16 @@ class MaskCatalogue {
 
 /// The entry of a self-describing source: a struct M with `static constexpr const char *name, *summary,
 /// *unit`, `template <typename V> void parameters(V&&)` (see describe_parameters) and `Field<float>
-/// make(const Surface&, std::uint64_t seed) const`.
+/// make(const Surface&, std::uint64_t seed) const` or `make(ExposureCache&, std::uint64_t seed) const`.
 template <typename M>
 MaskEntry mask_entry() {
   return {M::name, M::summary, M::unit, describe_parameters<M>(),
-          [](const Surface& surface, const ParameterValues& values, std::uint64_t seed) {
-            return with_parameters<M>(M::name, values).make(surface, seed);
+          [](ExposureCache& exposures, const ParameterValues& values, std::uint64_t seed) {
+            const M mask = with_parameters<M>(M::name, values);
+            if constexpr (requires { mask.make(exposures, seed); })
+              return mask.make(exposures, seed);
+            else
+              return mask.make(exposures.surface(), seed);
           }};
 }
 

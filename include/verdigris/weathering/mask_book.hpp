@@ -25,10 +25,13 @@ class MaskBook {
   /// `where`.
   Field<float> evaluate(const std::string& expression, const std::string& where, const CoatedMetal& metal);
 
+  /// What masks and operators found of the surface so far.
+  ExposureCache& exposures() { return exposures_; }
+
  private:
   const Field<float>& source(const std::string& name);
 
-  const Surface& surface_;
+  ExposureCache exposures_;
   std::vector<Mask> own_;
   std::string up_;
   std::uint64_t seed_;
