@@ -229,6 +229,7 @@ class FrontStepper {
     if (static_cast<std::size_t>(end - place) <= ahead) return;
     __builtin_prefetch(state_.data() + place[ahead].slot, 1);
     const auto n = around(place[ahead / 2]);
+    surface_.links().prefetch(place[ahead / 2].slot);
     __builtin_prefetch(n.below);
     __builtin_prefetch(n.above);
   }

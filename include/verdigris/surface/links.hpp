@@ -16,8 +16,8 @@ enum class LinkKind : std::uint8_t {
 
 /// For each source slot, the slots that take its state: ghosts (unfolded) or partners (projected).
 ///
-/// Stored once, ordered by source: one bit a slot tells whether it is a source, a rank every 64 slots finds
-/// its list.
+/// Stored once, ordered by source: one bit a slot tells whether it is a source, a number every 64 slots where
+/// the targets of their sources begin, one bit a target whether it is the last of its source.
 class Links {
  public:
   Links() = default;
@@ -29,9 +29,14 @@ class Links {
   /// The slots that repeat `slot`; empty for most.
   [[gnu::always_inline]] std::span<const std::uint32_t> targets(std::uint32_t slot) const {
     if (!is_source(slot)) return {};
-    const std::uint64_t below = bits_[slot >> 6] & ((std::uint64_t{1} << (slot & 63)) - 1);
-    const std::uint32_t k = rank_[slot >> 6] + static_cast<std::uint32_t>(std::popcount(below));
-    return {targets_.data() + offset_[k], targets_.data() + offset_[k + 1]};
+    const std::uint64_t before = bits_[slot >> 6] & ((std::uint64_t{1} << (slot & 63)) - 1);
+    const std::size_t begin = skip(first_[slot >> 6], static_cast<unsigned>(std::popcount(before)));
+    return {targets_.data() + begin, targets_.data() + skip(begin, 1)};
+  }
+  /// Asks for the memory that targets of `slot` lie in, if it has some; most sources have one.
+  void prefetch(std::uint32_t slot) const {
+    const std::uint64_t before = bits_[slot >> 6] & ((std::uint64_t{1} << (slot & 63)) - 1);
+    __builtin_prefetch(targets_.data() + first_[slot >> 6] + std::popcount(before));
   }
 
   /// Calls visit(source, targets) for every source in ascending order: a whole refresh.
@@ -43,10 +48,13 @@ class Links {
   template <typename Visit>
   void for_each_between(std::size_t first_word, std::size_t last_word, Visit&& visit) const {
     for (std::size_t word = first_word; word < last_word; ++word) {
-      std::uint32_t k = rank_[word];
-      for (std::uint64_t rest = bits_[word]; rest != 0; rest &= rest - 1, ++k)
+      std::size_t begin = first_[word];
+      for (std::uint64_t rest = bits_[word]; rest != 0; rest &= rest - 1) {
+        const std::size_t end = skip(begin, 1);
         visit(static_cast<std::uint32_t>(64 * word + static_cast<std::size_t>(std::countr_zero(rest))),
-              std::span<const std::uint32_t>(targets_.data() + offset_[k], targets_.data() + offset_[k + 1]));
+              std::span<const std::uint32_t>(targets_.data() + begin, targets_.data() + end));
+        begin = end;
+      }
     }
   }
   std::size_t word_count() const { return bits_.size(); }
@@ -56,9 +64,29 @@ class Links {
   std::size_t bytes() const;
 
  private:
-  std::vector<std::uint64_t> bits_;    // [slot / 64]
-  std::vector<std::uint32_t> rank_;    // [slot / 64] sources before this word
-  std::vector<std::uint32_t> offset_;  // [source rank] into targets_, one more at the end
+  // Index past the targets of `sources` sources, of which the first has its targets from `at` on.
+  [[gnu::always_inline]] std::size_t skip(std::size_t at, unsigned sources) const {
+    if (sources == 0) return at;
+    for (;; at += 64) {
+      const unsigned shift = at & 63;
+      // Two words hold the next 64 bits; << 1 first, since a shift by 64 means nothing.
+      std::uint64_t last = last_[at >> 6] >> shift | last_[(at >> 6) + 1] << 1 << (63 - shift);
+      const auto ends = static_cast<unsigned>(std::popcount(last));
+      if (ends >= sources) {
+#ifdef __BMI2__
+        last = __builtin_ia32_pdep_di(std::uint64_t{1} << (sources - 1), last);
+#else
+        for (; sources > 1; --sources) last &= last - 1;
+#endif
+        return at + static_cast<unsigned>(std::countr_zero(last)) + 1;
+      }
+      sources -= ends;
+    }
+  }
+
+  std::vector<std::uint64_t> bits_;   // [slot / 64]
+  std::vector<std::uint32_t> first_;  // [slot / 64] into targets_
+  std::vector<std::uint64_t> last_;   // [index into targets_ / 64], one more at the end
   std::vector<std::uint32_t> targets_;
 };
 
