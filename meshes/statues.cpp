@@ -47,8 +47,11 @@ Mesh make_anchor() {
     const double u = glm::dot(r, along), v = glm::dot(r, inwards) - 0.045;
     const double half = 0.205 * std::sqrt(std::max(0.0, 1.0 - std::pow((u - 0.02) / 0.24, 2.0))) *
                         (1.0 - 0.55 * std::clamp((u + 0.1) / 0.34, 0.0, 1.0));
-    const double flat = std::max({std::abs(v) - 0.014, std::abs(q.z) - half, std::abs(u - 0.02) - 0.24});
-    d = join(d, flat - 0.012, 0.02);
+    // As of a rounded box; across, the way is shorter where the outline slopes.
+    const double dv = std::abs(v) - 0.006, dz = 0.7 * (std::abs(q.z) - half), du = std::abs(u - 0.02) - 0.24;
+    const double flat = std::hypot(std::max(dv, 0.0), std::max(dz, 0.0), std::max(du, 0.0)) +
+                        std::min(std::max({dv, dz, du}), 0.0);
+    d = join(d, flat - 0.022, 0.02);
     const glm::dvec3 end(0.80 * std::sin(1.2), 0.88 - 0.80 * std::cos(1.2), 0.0);
     return join(d, capsule(q, end, end + glm::dvec3(0.05, 0.13, 0.0), 0.05, 0.014), 0.03);
   };
