@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 
@@ -45,6 +46,16 @@ CameraPath path_of(const Scene& scene, const Mesh& mesh) {
   return {mesh, std::move(keys), scene.animation.turn, settings};
 }
 
+// As many moments as a small plot needs, the last among them.
+std::vector<FilmMoment> sparse(const std::vector<FilmMoment>& moments) {
+  constexpr std::size_t enough = 40;
+  const std::size_t stride = std::max<std::size_t>(1, moments.size() / enough);
+  std::vector<FilmMoment> some;
+  for (std::size_t k = 0; k < moments.size(); k += stride) some.push_back(moments[k]);
+  if (some.back() != moments.back()) some.push_back(moments.back());
+  return some;
+}
+
 // Draws the frames that are not there. What is the same twice is drawn once.
 class Filming {
  public:
@@ -65,16 +76,16 @@ class Filming {
     const bool overlay = scene_.animation.overlay;
     if (overlay) {
       const auto begin = Clock::now();
-      curve_ = subject_.curve(moments_, progress_);
+      curve_ = subject_.curve(sparse(moments_), progress_);
       simulating_ += since(begin);
       if (curve_.points.empty()) return false;
     }
     progress_.stage("drawing frames");
     const auto begin = Clock::now();
-    const bool whole = subject_.play(moments_, [&](std::size_t k, const Draw& draw) {
+    const bool whole = subject_.play(moments_, [&](std::size_t k, const FilmState& state) {
       if (film_.has(k) && k != film_.to_check()) return true;
       const auto drawn = Clock::now();
-      frame(k, draw);
+      frame(k, state);
       drawing_ += since(drawn);
       return !interrupted();
     });
@@ -88,16 +99,17 @@ class Filming {
   double simulating() const { return simulating_; }
 
  private:
-  void frame(std::size_t k, const Draw& draw) {
+  void frame(std::size_t k, const FilmState& state) {
     const auto count = static_cast<double>(moments_.size());
     const bool same = !moving_ && latest_ < k && moments_[k] == moments_[latest_];
-    if (!same || drawn_ == 0) image_ = draw(path_.at(count > 1 ? static_cast<double>(k) / (count - 1) : 0.0));
+    if (!same || drawn_ == 0)
+      image_ = state.draw(path_.at(count > 1 ? static_cast<double>(k) / (count - 1) : 0.0));
     latest_ = k;
     Image image = image_;
     if (scene_.animation.overlay) {
       const FilmMoment& moment = moments_[k];
       draw_overlay(image, {subject_.time_text(moment.years, moments_.back().years),
-                           curve_.words(curve_.points[k].y), curve_.points, moment.years});
+                           curve_.words(state.value()), curve_.points, moment.years});
     }
     if (k == film_.to_check()) {
       film_.check(k, image);

@@ -66,11 +66,11 @@ class WeatheringFilm final : public FilmSubject {
     return whole ? curve : FilmCurve{};
   }
 
-  bool play(const std::vector<FilmMoment>& moments,
-            const std::function<bool(std::size_t, const Draw&)>& show) override {
+  bool play(const std::vector<FilmMoment>& moments, const ShowState& show) override {
     if (!painter_) painter_.emplace(surface_, scene_);
     return run(moments, [&](std::size_t k, const CoatedMetal& metal) {
-      return show(k, [&](const Camera& camera) { return painter_->draw(metal, camera); });
+      return show(k, {[&](const Camera& camera) { return painter_->draw(metal, camera); },
+                      [&] { return measure(surface_, metal).loss; }});
     });
   }
 
@@ -137,39 +137,44 @@ class CorrosionFilm final : public FilmSubject {
   }
 
   FilmCurve curve(const std::vector<FilmMoment>& moments, Progress&) override {
-    const Field<std::int32_t> arrivals = growth_.field("arrival");
-    std::vector<std::uint64_t> corroded(scene_.steps + 2, 0);  // [step + 1] cells by then
-    for (const Row& row : run_.surface.rows())
-      for (std::uint32_t slot = row.run_begin; slot < row.run_end; ++slot)
-        if (arrivals[slot] >= 0) ++corroded[static_cast<std::size_t>(arrivals[slot]) + 1];
-    for (std::size_t k = 1; k < corroded.size(); ++k) corroded[k] += corroded[k - 1];
     FilmCurve curve{{}, [](double value) { return fmt::format("{:.0f} % corroded", value); }};
-    const auto cells = static_cast<double>(run_.surface.owned_count());
-    for (const FilmMoment& moment : moments) {
-      const auto step = static_cast<std::uint64_t>(moment.years / scene_.corrosion.step_years + 1e-9);
-      const std::size_t then = std::min<std::uint64_t>(step, scene_.steps) + 1;
-      curve.points.emplace_back(moment.years, 100.0 * static_cast<double>(corroded[then]) / cells);
-    }
+    for (const FilmMoment& moment : moments) curve.points.emplace_back(moment.years, corroded(moment.years));
     return curve;
   }
 
-  bool play(const std::vector<FilmMoment>& moments,
-            const std::function<bool(std::size_t, const Draw&)>& show) override {
+  bool play(const std::vector<FilmMoment>& moments, const ShowState& show) override {
     if (!painter_) painter_.emplace(growth_, material_, scene_);
     for (std::size_t k = 0; k < moments.size(); ++k) {
-      if (interrupted()) return false;
-      if (!show(k, [&](const Camera& camera) { return painter_->draw(moments[k].years, camera); }))
-        return false;
+      const double years = moments[k].years;
+      const FilmState state{[&](const Camera& camera) { return painter_->draw(years, camera); },
+                            [&] { return corroded(years); }};
+      if (interrupted() || !show(k, state)) return false;
     }
     return true;
   }
 
  private:
+  // Percent of the cells, after so many years.
+  double corroded(double years) {
+    if (by_step_.empty()) {
+      const Field<std::int32_t> arrivals = growth_.field("arrival");
+      by_step_.assign(scene_.steps + 2, 0);
+      for (const Row& row : run_.surface.rows())
+        for (std::uint32_t slot = row.run_begin; slot < row.run_end; ++slot)
+          if (arrivals[slot] >= 0) ++by_step_[static_cast<std::size_t>(arrivals[slot]) + 1];
+      for (std::size_t k = 1; k < by_step_.size(); ++k) by_step_[k] += by_step_[k - 1];
+    }
+    const auto step = static_cast<std::uint64_t>(years / scene_.corrosion.step_years + 1e-9);
+    return 100.0 * static_cast<double>(by_step_[std::min<std::uint64_t>(step, scene_.steps) + 1]) /
+           static_cast<double>(run_.surface.owned_count());
+  }
+
   const Scene& scene_;
   Material material_;
   PreparedRun run_;
   const CorrosionGrowth& growth_;
   bool whole_;
+  std::vector<std::uint64_t> by_step_;  // [step + 1] cells corroded by then
   std::optional<PatinaPainter> painter_;
 };
 
@@ -200,40 +205,44 @@ class StepsFilm final : public FilmSubject {
   FilmCurve curve(const std::vector<FilmMoment>& moments, Progress& progress) override {
     progress.stage("rehearsing");
     FilmCurve curve{{}, [](double value) { return fmt::format("{:.1f} % changed", value); }};
-    const CellValues first = first_field(*restart_());
-    const auto cells = static_cast<double>(run_.surface.owned_count());
     const bool whole = run(moments, [&](std::size_t k, const AnySimulation& simulation) {
-      std::uint64_t other = 0;
-      std::visit(
-          [&](const auto& now) {
-            const auto& then = std::get<std::decay_t<decltype(now)>>(first);
-            for (const Row& row : run_.surface.rows())
-              for (std::uint32_t slot = row.run_begin; slot < row.run_end; ++slot)
-                other += now[slot] != then[slot];
-          },
-          first_field(simulation));
-      curve.points.emplace_back(moments[k].years, 100.0 * static_cast<double>(other) / cells);
+      curve.points.emplace_back(moments[k].years, changed(simulation));
       progress.update(static_cast<double>(k + 1) / static_cast<double>(moments.size()));
       return true;
     });
     return whole ? curve : FilmCurve{};
   }
 
-  bool play(const std::vector<FilmMoment>& moments,
-            const std::function<bool(std::size_t, const Draw&)>& show) override {
+  bool play(const std::vector<FilmMoment>& moments, const ShowState& show) override {
     if (!painter_) painter_.emplace(view_.surface(), scene_.picture.outline);
-    ColourScale range{};
+    ColourScale scale{};
     return run(moments, [&](std::size_t k, const AnySimulation& simulation) {
       const bool labels = simulation.fields().front().kind == FieldKind::label;
       const CellValues values = view_(first_field(simulation));
       // One scale from frame to frame; it only grows.
       const ColourScale now = scale_over(run_.surface, values);
-      range = {std::min(range.low, now.low), std::max(range.high, now.high)};
-      return show(k, [&](const Camera& camera) { return painter_->draw(values, labels, range, camera); });
+      scale = {std::min(scale.low, now.low), std::max(scale.high, now.high)};
+      return show(k, {[&](const Camera& camera) { return painter_->draw(values, labels, scale, camera); },
+                      [&] { return changed(simulation); }});
     });
   }
 
  private:
+  // Percent of the cells that are not as in the beginning.
+  double changed(const AnySimulation& simulation) {
+    if (!first_) first_ = first_field(*restart_());
+    std::uint64_t other = 0;
+    std::visit(
+        [&](const auto& now) {
+          const auto& then = std::get<std::decay_t<decltype(now)>>(*first_);
+          for (const Row& row : run_.surface.rows())
+            for (std::uint32_t slot = row.run_begin; slot < row.run_end; ++slot)
+              other += now[slot] != then[slot];
+        },
+        first_field(simulation));
+    return 100.0 * static_cast<double>(other) / static_cast<double>(run_.surface.owned_count());
+  }
+
   bool run(const std::vector<FilmMoment>& moments,
            const std::function<bool(std::size_t, const AnySimulation&)>& visit) {
     const std::unique_ptr<AnySimulation> simulation = restart_();
@@ -250,6 +259,7 @@ class StepsFilm final : public FilmSubject {
   OpenView view_;
   std::function<std::unique_ptr<AnySimulation>()> restart_;
   bool whole_ = true;
+  std::optional<CellValues> first_;
   std::optional<CellPainter> painter_;
 };
 

@@ -13,12 +13,16 @@
 #include "verdigris/picture/film_schedule.hpp"
 #include "verdigris/picture/image.hpp"
 
-/// Draws what a moment shows.
-using Draw = std::function<verdigris::Image(const verdigris::Camera&)>;
+/// What there is at a moment.
+struct FilmState {
+  std::function<verdigris::Image(const verdigris::Camera&)> draw;
+  std::function<double()> value;  ///< of the curve
+};
+using ShowState = std::function<bool(std::size_t moment, const FilmState& state)>;
 
 /// A curve beside the clock of a film.
 struct FilmCurve {
-  std::vector<glm::dvec2> points;                  ///< [frame] years, value
+  std::vector<glm::dvec2> points;                  ///< [moment] years, value
   std::function<std::string(double value)> words;  ///< "35 % corroded"
 };
 
@@ -33,8 +37,7 @@ class FilmSubject {
   /// Values at the moments. May simulate all of it once. Empty when the user stopped it.
   virtual FilmCurve curve(const std::vector<verdigris::FilmMoment>& moments, Progress& progress) = 0;
   /// Shows the moments in order until `show` says false, or the user stops it; then it returns false.
-  virtual bool play(const std::vector<verdigris::FilmMoment>& moments,
-                    const std::function<bool(std::size_t moment, const Draw& draw)>& show) = 0;
+  virtual bool play(const std::vector<verdigris::FilmMoment>& moments, const ShowState& show) = 0;
 };
 
 /// The scene's timeline, or its corrosion, or any other behaviour step by step. Reads the model, lays cells,
