@@ -10,6 +10,7 @@ find_package(tomlplusplus CONFIG REQUIRED)
 find_package(embree 3 CONFIG REQUIRED)
 find_package(PNG REQUIRED)
 pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
+find_path(STB_INCLUDE_DIR stb/stb_image.h REQUIRED)
 find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
 # Where it lies here is of no use to an installed verdigris: verdigrisConfig.cmake looks for it anew.
 set(RANDOM123_INCLUDE_DIR $<BUILD_INTERFACE:${RANDOM123_INCLUDE_DIR}>)
