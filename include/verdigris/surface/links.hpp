@@ -47,10 +47,14 @@ class Links {
   /// The same for the sources among slots 64 * first_word ... 64 * last_word - 1: a share of the work.
   template <typename Visit>
   void for_each_between(std::size_t first_word, std::size_t last_word, Visit&& visit) const {
+    if (first_word >= last_word) return;
+    std::size_t begin = first_[first_word], at = begin >> 6;
+    std::uint64_t ends = last_[at] >> (begin & 63) << (begin & 63);  // of lists not visited yet
     for (std::size_t word = first_word; word < last_word; ++word) {
-      std::size_t begin = first_[word];
       for (std::uint64_t rest = bits_[word]; rest != 0; rest &= rest - 1) {
-        const std::size_t end = skip(begin, 1);
+        while (ends == 0) ends = last_[++at];
+        const std::size_t end = 64 * at + static_cast<std::size_t>(std::countr_zero(ends)) + 1;
+        ends &= ends - 1;
         visit(static_cast<std::uint32_t>(64 * word + static_cast<std::size_t>(std::countr_zero(rest))),
               std::span<const std::uint32_t>(targets_.data() + begin, targets_.data() + end));
         begin = end;
