@@ -12,8 +12,6 @@
 // g++ 12 warns of its own header (GCC bug 105593).
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
-// Vectors wider than the machine's stay in one source file: no ABI is at stake.
-#pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace verdigris {
 
