@@ -87,16 +87,17 @@ void add_barrier_options(CLI::App& command, const std::shared_ptr<BehaviourOptio
                   "Growth does not cross edges whose faces turn by more degrees")
       ->type_name("DEG")
       ->check(within(0.0, 180.0));
-  command
-      .add_option("--barrier-mask", options->mask,
-                  "File of numbers, one a vertex or a face of the model, that bars growth")
-      ->type_name("FILE");
+  auto* mask = command.add_option("--barrier-mask", options->mask,
+                                  "File of numbers, one a vertex or a face of the model, that bars growth");
+  mask->type_name("FILE");
   command
       .add_option("--barrier-mask-on", barrier.mask_on,
                   "What the mask has a number for: vertices or faces (default: told by how many there are)")
+      ->needs(mask)
       ->type_name("WHAT");
   command
       .add_option("--barrier-threshold", barrier.threshold, "Cells whose mask is at least this are barred")
+      ->needs(mask)
       ->type_name("X")
       ->capture_default_str();
 }
@@ -117,11 +118,13 @@ void add_behaviour_options(CLI::App& command, const std::shared_ptr<BehaviourOpt
   Scene& scene = options->scene;
   scene.behaviour = entry.name;
   command.add_option("MODEL", options->mesh, "Model: OBJ, OFF, PLY, STL, OM, GLB or glTF");
-  command.add_option("--torus", options->torus, "A flat periodic grid of so many cells instead: 4096x4096")
-      ->type_name("WxH");
+  auto* torus = command.add_option("--torus", options->torus,
+                                   "A flat periodic grid of so many cells instead: 4096x4096");
+  torus->type_name("WxH");
   command
       .add_option("--torus-patch", scene.torus.patch,
                   "Length of its triangles in cells: even, and W and H are multiples of it")
+      ->needs(torus)
       ->type_name("N")
       ->capture_default_str();
   add_seed_options(command, options, entry.needs_seeds);

@@ -189,6 +189,7 @@ void run(Options& options, const CLI::App& command) {
                   : !options.on.empty() ? "lsystem.vtp"
                   : leaves_plane(word)  ? "lsystem.obj"
                                         : "lsystem.svg";
+  remove_abandoned(options.out);
   Report report;
   report.symbols = word.size();
   std::vector<Polyline> lines;

@@ -16,6 +16,7 @@
 #include "thread_option.hpp"
 #include "verdigris/base/error.hpp"
 #include "verdigris/exposure/surface_field.hpp"
+#include "verdigris/io/replace_file.hpp"
 #include "verdigris/io/write_cells.hpp"
 #include "verdigris/io/write_mesh.hpp"
 #include "verdigris/io/write_png.hpp"
@@ -231,6 +232,8 @@ void run(Options& options, const CLI::App& command, const PrimitiveEntry& entry)
   else
     check_on_model(options, command);
   const ThreadLimit threads(options.threads);
+  for (const std::string& file : {options.out, options.mesh})
+    if (!file.empty()) remove_abandoned(file);
   const auto field = entry.create(values, options.seed);
   Report report;
   report.range = stretch(options, command, *field);

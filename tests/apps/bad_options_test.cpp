@@ -59,6 +59,8 @@ TEST_F(BadOptions, Barriers) {
   for (const char* angle : {"190", "-1", "steep"})
     expect_refused_with({"--barrier-angle", angle}, "--barrier-angle");
   expect_refused_with({"--barrier-mask", place_.path("none.txt")}, "none.txt");
+  expect_refused_with({"--barrier-threshold", "0.3"}, "--barrier-mask");
+  expect_refused_with({"--torus-patch", "32"}, "--torus");
   expect_refused_with({"--barrier-mask", place_.file("words.txt", "0\nno\n")}, "words.txt:2");
   expect_refused_with({"--barrier-mask", place_.file("short.txt", "0\n1\n")}, "short.txt");
   expect_refused_with({"--barrier-mask", place_.file("all.txt", "1\n1\n1\n1\n1\n1\n")}, "seeds");
