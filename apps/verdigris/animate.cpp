@@ -1,7 +1,6 @@
 // verdigris animate: a film of what a scene does.
 
 #include <algorithm>
-#include <charconv>
 #include <memory>
 
 #include "animation_job.hpp"
@@ -71,7 +70,7 @@ void add_animate(CLI::App& app, int& status) {
   command->add_flag("--quiet,-q", options->film.quiet, "No progress and no report");
   command->footer(
       "Writes frames/00000.png ..., animation.mp4, and run.toml, which makes the same film again.\n"
-      "[animation] in a scene holds the same, and a path of the camera; docs/weathering.md says how.");
+      "[animation] in a scene holds the same, and a path of the camera; docs/films.md says how.");
   command->callback([=, &status] {
     Scene scene = read_scene(options->scene);
     AnimationPlan& film = scene.animation;

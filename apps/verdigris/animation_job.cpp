@@ -33,10 +33,6 @@ double since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-std::vector<FilmMoment> moments_of(const AnimationPlan& plan, const std::vector<double>& years) {
-  return plan.years.empty() ? film_schedule(years, plan.frames, plan.hold) : film_moments(years, plan.years);
-}
-
 CameraPath path_of(const Scene& scene, const Mesh& mesh) {
   const ViewSettings settings = view_settings(scene.picture);
   std::vector<CameraKey> keys;
@@ -154,7 +150,7 @@ void report(const Scene& scene, const FilmOptions& options, const Film& film, st
     fmt::print("{}\n", all.dump(2));
   } else if (!options.quiet) {
     fmt::print("{}: {} frames, {} of them drawn now, in {}\n", model_name(scene), frames, drawn,
-               film.frames().string());
+               film.directory().string());
     fmt::print("{:.1f} s: {:.1f} reading and building, {:.1f} simulating, {:.1f} drawing, {:.1f} encoding\n",
                seconds.total(), seconds.prepare, seconds.simulate, seconds.draw, seconds.encode);
     if (video != nullptr) fmt::print("{}/{}\n", options.out, video);
@@ -166,28 +162,29 @@ void report(const Scene& scene, const FilmOptions& options, const Film& film, st
 int run_animation(Scene scene, const FilmOptions& options) {
   const ThreadLimit threads(options.threads);
   const std::string ffmpeg = options.video ? find_ffmpeg() : "";
-  check_film_subject(scene);
+  prepare_film(scene);
   Progress progress(!options.quiet);
   watch_for_interrupt();
   Seconds seconds;
+  const ResultPlace place(options.out);
   auto begin = Clock::now();
   const auto subject = make_film_subject(scene, progress, options.quiet);
   if (subject == nullptr) {
     say("stopped before the first frame; nothing is written\n");
     return 130;
   }
-  const std::vector<FilmMoment> moments = moments_of(scene.animation, subject->years());
-  const ResultPlace place(options.out);
+  const std::vector<FilmMoment> moments = film_moments_of(scene.animation, subject->years());
+  if (!options.resume) place.clear();
   Film film(options.out, scene, moments.size(), options.resume);
   Filming filming(scene, *subject, moments, film, progress);
-  seconds.prepare = since(begin);
+  seconds.prepare = since(begin) - subject->grown();
   bool complete = filming.shoot();
-  seconds.simulate = filming.simulating();
+  seconds.simulate = filming.simulating() + subject->grown();
   seconds.draw = filming.drawing();
   if (complete && options.video) {
     progress.stage("encoding");
     begin = Clock::now();
-    complete = write_video(ffmpeg, film.frames(), Film::pattern, moments.size(), scene.animation.rate,
+    complete = write_video(ffmpeg, film.files(), scene.animation.rate,
                            std::filesystem::path(options.out) / "animation.mp4", [&](std::size_t done) {
                              progress.update(static_cast<double>(done) / static_cast<double>(moments.size()));
                              return !interrupted();

@@ -60,7 +60,7 @@ std::vector<CorrosionNumbers> corrosion_history(const CorrosionGrowth& growth, c
   std::vector<CorrosionNumbers> numbers;
   // Each row costs as much as steps were made: of very long runs some two thousand are enough.
   const std::uint64_t last = growth.steps(), every = std::max<std::uint64_t>(1, last / 30),
-                      stride = 1 + last / most_rows;
+                      stride = 1 + (std::max<std::uint64_t>(last, 1) - 1) / most_rows;
   std::uint64_t next_spots = 0;
   for (std::uint64_t step = 0;; step = std::min(step + stride, last)) {
     const bool with_spots = step >= next_spots || step == last;

@@ -1,12 +1,14 @@
 #include "film.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <utility>
 
+#include "result_place.hpp"
 #include "verdigris/base/error.hpp"
 #include "verdigris/io/replace_file.hpp"
 #include "verdigris/io/write_png.hpp"
@@ -32,33 +34,37 @@ void check_same_scene(const fs::path& file, const Scene& scene) {
                      "give the options and the scene it was begun with, or leave --resume out");
 }
 
-// Of frames and their remains: five digits first.
-bool is_frame(const std::string& name) {
-  return name.size() >= 9 && name.find_first_not_of("0123456789") == 5 && name.compare(5, 4, ".png") == 0;
-}
-
 }  // namespace
 
 Film::Film(fs::path out, const Scene& scene, std::size_t frames, bool resume)
     : directory_(out / "frames"), there_(frames, false), check_(frames) {
   if (resume) check_same_scene(out / "run.toml", scene);
   make_directory(directory_);
-  std::error_code ignored;
-  for (fs::directory_iterator it(directory_, ignored), end; !ignored && it != end; it.increment(ignored)) {
-    const std::string name = it->path().filename().string();
-    if (is_frame(name) && (!resume || name.size() > 9)) fs::remove(it->path(), ignored);
+  remove_remains();
+  if (!resume) {
+    write_scene(out / "run.toml", scene);
+    return;
   }
-  fs::remove(out / "animation.mp4", ignored);
-  if (!resume) write_scene(out / "run.toml", scene);
+  std::error_code ignored;
   for (std::size_t k = 0; k < frames; ++k) {
     there_[k] = fs::exists(file_of(k), ignored);
     kept_ += there_[k];
   }
-  const auto missing = std::find(there_.begin(), there_.end(), false);
-  if (kept_ > 0)
-    check_ = missing == there_.begin() || missing == there_.end()
-                 ? static_cast<std::size_t>(std::find(there_.begin(), there_.end(), true) - there_.begin())
-                 : static_cast<std::size_t>(missing - there_.begin()) - 1;
+  // The last of the first run of frames that are there.
+  const auto first = std::find(there_.begin(), there_.end(), true);
+  if (first != there_.end())
+    check_ = static_cast<std::size_t>(std::find(first, there_.end(), false) - there_.begin()) - 1;
+}
+
+// What processes that were killed left half written.
+void Film::remove_remains() const {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (fs::directory_iterator it(directory_, ignored), end; !ignored && it != end; it.increment(ignored)) {
+    const std::string name = it->path().filename().string();
+    if (name.size() > 9 && is_frame(name.substr(0, 9))) names.push_back(name.substr(0, 9));
+  }
+  for (const std::string& name : names) remove_abandoned(directory_ / name);
 }
 
 Film::~Film() {
@@ -69,8 +75,14 @@ fs::path Film::file_of(std::size_t k) const {
   return directory_ / fmt::format("{:05}.png", k);
 }
 
+std::vector<fs::path> Film::files() const {
+  std::vector<fs::path> files;
+  for (std::size_t k = 0; k < there_.size(); ++k) files.push_back(file_of(k));
+  return files;
+}
+
 void Film::check(std::size_t k, const Image& image) const {
-  const fs::path again = directory_ / "again.png";
+  const fs::path again = fs::temp_directory_path() / fmt::format("verdigris-{}.png", ::getpid());
   write_png(image, again);
   const bool same = bytes_of(again) == bytes_of(file_of(k));
   std::error_code ignored;

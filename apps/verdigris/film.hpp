@@ -12,9 +12,9 @@
 
 class Film {
  public:
-  /// Frames lie in `out`/frames; `out`/run.toml says what they are of. Without `resume` those of an earlier
-  /// film are removed; with it they are kept. Throws InputError when there is nothing to resume, or when it
-  /// is of another scene.
+  /// Frames lie in `out`/frames; `out`/run.toml says what they are of. With `resume` those that are there
+  /// count; without it there must be none (see ResultPlace::clear). Throws InputError when there is nothing
+  /// to resume, or when it is of another scene.
   Film(std::filesystem::path out, const verdigris::Scene& scene, std::size_t frames, bool resume);
   /// Waits for what is being written.
   ~Film();
@@ -24,8 +24,8 @@ class Film {
   /// Whether frame k is there already.
   bool has(std::size_t k) const { return there_[k]; }
   std::size_t kept() const { return kept_; }
-  /// The frame to be drawn again to see that the old ones are of this film: the last before the first that
-  /// is not there. frames() when none is there.
+  /// The frame to be drawn again to see that the old ones are of this film: the last of the first that are
+  /// there in a row. The number of frames when none is there.
   std::size_t to_check() const { return check_; }
   /// Throws InputError when frame k as it is on disk is another picture.
   void check(std::size_t k, const verdigris::Image& image) const;
@@ -34,11 +34,13 @@ class Film {
   /// Waits until all are written. Throws InputError when one could not be.
   void finish();
 
-  const std::filesystem::path& frames() const { return directory_; }
-  static constexpr const char* pattern = "%05d.png";
+  const std::filesystem::path& directory() const { return directory_; }
+  /// [frame] where it is or will be.
+  std::vector<std::filesystem::path> files() const;
 
  private:
   std::filesystem::path file_of(std::size_t k) const;
+  void remove_remains() const;
 
   std::filesystem::path directory_;
   std::vector<bool> there_;

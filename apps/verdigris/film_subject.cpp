@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <optional>
 
@@ -15,7 +16,6 @@
 #include "verdigris/base/error.hpp"
 #include "verdigris/behaviours/builtin.hpp"
 #include "verdigris/io/read_material.hpp"
-#include "weather_job.hpp"
 #include "weather_pictures.hpp"
 
 using namespace verdigris;
@@ -46,7 +46,7 @@ class WeatheringFilm final : public FilmSubject {
         material_(find_material(scene.weathering.material)),
         model_(read(scene, progress)),
         surface_(lay_cells(std::move(model_.mesh), scene)),
-        masks_(surface_, weathering_masks(surface_, scene, model_.read), scene.picture.up, scene.seed) {
+        masks_(surface_, all_masks(surface_, scene, model_.read), scene.picture.up, scene.seed) {
     check_coverage(surface_, quiet);
   }
 
@@ -106,15 +106,17 @@ class WeatheringFilm final : public FilmSubject {
   std::optional<WeatherPainter> painter_;
 };
 
-// Steps to the last one. Whether it came there.
-bool grow_to(AnySimulation& simulation, std::uint64_t last, Progress& progress) {
+// Steps to the last one, 0: until nothing changes. Whether it came there; the time it took is added.
+bool grow_to(AnySimulation& simulation, std::uint64_t last, Progress& progress, double& seconds) {
+  const auto begin = std::chrono::steady_clock::now();
   progress.stage("growing");
-  while (simulation.steps() < last) {
-    simulation.step();
-    progress.update(static_cast<double>(simulation.steps()) / static_cast<double>(last),
-                    fmt::format("step {}", simulation.steps()));
+  while (last == 0 ? !simulation.finished() : simulation.steps() < last) {
     if (interrupted()) return false;
+    simulation.step();
+    progress.update(last == 0 ? 0.0 : static_cast<double>(simulation.steps()) / static_cast<double>(last),
+                    fmt::format("step {}", simulation.steps()));
   }
+  seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return true;
 }
 
@@ -128,7 +130,7 @@ class CorrosionFilm final : public FilmSubject {
         material_(find_material(scene.corrosion.material)),
         run_(scene, behaviour, progress, quiet, no_lap),
         growth_(dynamic_cast<const CorrosionGrowth&>(*run_.simulation)),
-        whole_(grow_to(*run_.simulation, scene.steps, progress)) {}
+        whole_(grow_to(*run_.simulation, scene.steps, progress, grown_)) {}
 
   bool whole() const { return whole_; }
   const Mesh& mesh() const override { return run_.surface.mesh(); }
@@ -184,15 +186,15 @@ class StepsFilm final : public FilmSubject {
   StepsFilm(Scene& scene, const BehaviourEntry& behaviour, Progress& progress, bool quiet)
       : scene_(scene), run_(scene, behaviour, progress, quiet, no_lap), view_(run_.surface, scene.links) {
     restart_ = [&scene, &behaviour, this] { return behaviour.create(run_.setup, scene.parameters); };
-    if (scene.steps != 0) return;
-    // Where it ends of itself nobody knows before.
-    progress.stage("growing");
-    while (!run_.simulation->finished() && !interrupted()) {
-      run_.simulation->step();
-      progress.update(0.0, fmt::format("step {}", run_.simulation->steps()));
+    AnySimulation& simulation = *run_.simulation;
+    const bool labels = simulation.fields().front().kind == FieldKind::label;
+    if (scene.steps == 0 || labels) {
+      // Where it ends of itself, and which regions come to touch, nobody knows before.
+      whole_ = grow_to(simulation, scene.steps, progress, grown_);
+      scene.steps = simulation.steps();
+      colours_ = colours_for(view_.surface(), view_(first_field(simulation)), labels);
     }
-    whole_ = run_.simulation->finished();
-    scene.steps = run_.simulation->steps();
+    run_.simulation.reset();
   }
 
   bool whole() const { return whole_; }
@@ -215,14 +217,15 @@ class StepsFilm final : public FilmSubject {
 
   bool play(const std::vector<FilmMoment>& moments, const ShowState& show) override {
     if (!painter_) painter_.emplace(view_.surface(), scene_.picture.outline);
-    ColourScale scale{};
     return run(moments, [&](std::size_t k, const AnySimulation& simulation) {
-      const bool labels = simulation.fields().front().kind == FieldKind::label;
       const CellValues values = view_(first_field(simulation));
-      // One scale from frame to frame; it only grows.
-      const ColourScale now = scale_over(run_.surface, values);
-      scale = {std::min(scale.low, now.low), std::max(scale.high, now.high)};
-      return show(k, {[&](const Camera& camera) { return painter_->draw(values, labels, scale, camera); },
+      if (colours_.regions.empty()) {
+        // One scale from frame to frame; it only grows.
+        const CellColours now = colours_for(run_.surface, values, false);
+        colours_.low = std::min(colours_.low, now.low);
+        colours_.high = std::max(colours_.high, now.high);
+      }
+      return show(k, {[&](const Camera& camera) { return painter_->draw(values, colours_, camera); },
                       [&] { return changed(simulation); }});
     });
   }
@@ -259,13 +262,18 @@ class StepsFilm final : public FilmSubject {
   OpenView view_;
   std::function<std::unique_ptr<AnySimulation>()> restart_;
   bool whole_ = true;
+  CellColours colours_;
   std::optional<CellValues> first_;
   std::optional<CellPainter> painter_;
 };
 
 }  // namespace
 
-void check_film_subject(Scene& scene) {
+std::vector<FilmMoment> film_moments_of(const AnimationPlan& plan, const std::vector<double>& years) {
+  return plan.years.empty() ? film_schedule(years, plan.frames, plan.hold) : film_moments(years, plan.years);
+}
+
+void prepare_film(Scene& scene) {
   if (scene.torus.width != 0)
     throw InputError(scene.file.string(), "a flat torus has no views to film", "name a model");
   if (!scene.picture.draw)
@@ -276,6 +284,7 @@ void check_film_subject(Scene& scene) {
     view_direction(view.view, scene.picture.up == "z" ? UpAxis::z : UpAxis::y);
   if (!scene.weathering.empty()) {
     static_cast<void>(find_material(scene.weathering.material));
+    film_moments_of(scene.animation, timeline_years(builtin_operators(), scene.weathering.timeline));
     return;
   }
   const Catalogue catalogue = builtin_catalogue();
@@ -283,6 +292,9 @@ void check_film_subject(Scene& scene) {
   if (!scene.corrosion.empty()) static_cast<void>(prepare_corrosion(scene));
   check_scene(scene, behaviour);
   complete_scene(scene, behaviour);
+  if (scene.steps == 0) return;
+  const double step = scene.corrosion.empty() ? 1.0 : scene.corrosion.step_years;
+  film_moments_of(scene.animation, {static_cast<double>(scene.steps) * step});
 }
 
 std::unique_ptr<FilmSubject> make_film_subject(Scene& scene, Progress& progress, bool quiet) {

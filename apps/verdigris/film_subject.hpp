@@ -26,9 +26,12 @@ struct FilmCurve {
   std::function<std::string(double value)> words;  ///< "35 % corroded"
 };
 
+/// One run that is filmed: where its time goes, and how it looks on the way.
 class FilmSubject {
  public:
   virtual ~FilmSubject() = default;
+  /// Seconds spent growing before the first frame.
+  double grown() const { return grown_; }
   virtual const verdigris::Mesh& mesh() const = 0;
   /// [operation] years that each takes; behaviours without years take steps.
   virtual std::vector<double> years() const = 0;
@@ -38,6 +41,9 @@ class FilmSubject {
   virtual FilmCurve curve(const std::vector<verdigris::FilmMoment>& moments, Progress& progress) = 0;
   /// Shows the moments in order until `show` says false, or the user stops it; then it returns false.
   virtual bool play(const std::vector<verdigris::FilmMoment>& moments, const ShowState& show) = 0;
+
+ protected:
+  double grown_ = 0.0;
 };
 
 /// The scene's timeline, or its corrosion, or any other behaviour step by step. Reads the model, lays cells,
@@ -45,5 +51,10 @@ class FilmSubject {
 /// outlive it. Null when the user stopped it. Throws InputError.
 std::unique_ptr<FilmSubject> make_film_subject(verdigris::Scene& scene, Progress& progress, bool quiet);
 
-/// Refuses what can be known before the model is read. Throws InputError.
-void check_film_subject(verdigris::Scene& scene);
+/// Refuses what can be known before the model is read, and completes the scene as a run does. Throws
+/// InputError.
+void prepare_film(verdigris::Scene& scene);
+
+/// The moments of a plan in operations of so many years. Throws InputError.
+std::vector<verdigris::FilmMoment> film_moments_of(const verdigris::AnimationPlan& plan,
+                                                   const std::vector<double>& years);

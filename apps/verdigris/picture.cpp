@@ -20,41 +20,45 @@ using namespace verdigris;
 namespace {
 
 template <typename T>
-std::vector<Rgba8> scalar_colours(const Field<T>& values, const ColourScale& range) {
+std::vector<Rgba8> scalar_colours(const Field<T>& values, const CellColours& of) {
   std::vector<Rgba8> colours(values.size());
-  const double span = range.high > range.low ? range.high - range.low : 1.0;
+  const double span = of.high > of.low ? of.high - of.low : 1.0;
   std::transform(values.begin(), values.end(), colours.begin(), [&](T v) {
-    return scalar_colour(static_cast<float>((static_cast<double>(v) - range.low) / span));
+    return scalar_colour(static_cast<float>((static_cast<double>(v) - of.low) / span));
   });
   return colours;
 }
 
-std::vector<Rgba8> colours_of(const Surface& surface, const CellValues& values, bool labels, bool outline,
-                              const ColourScale& range) {
-  if (labels) {
-    const auto& label = std::get<Field<std::int32_t>>(values);
-    return colour_labels(surface, label, label_colours(surface, label), LabelStyle{.outlines = outline});
-  }
-  return std::visit([&](const auto& field) { return scalar_colours(field, range); }, values);
+std::vector<Rgba8> slot_colours(const Surface& surface, const CellValues& values, const CellColours& colours,
+                                bool outline) {
+  if (!colours.regions.empty())
+    return colour_labels(surface, std::get<Field<std::int32_t>>(values), colours.regions,
+                         LabelStyle{.outlines = outline});
+  return std::visit([&](const auto& field) { return scalar_colours(field, colours); }, values);
 }
 
 }  // namespace
 
-ColourScale scale_over(const Surface& surface, const CellValues& values) {
-  return std::visit(
+CellColours colours_for(const Surface& surface, const CellValues& values, bool labels) {
+  CellColours colours;
+  if (labels) {
+    colours.regions = label_colours(surface, std::get<Field<std::int32_t>>(values));
+    return colours;
+  }
+  std::visit(
       [&](const auto& field) {
         using T = typename std::decay_t<decltype(field)>::value_type;
-        ColourScale range{0.0, std::is_integral_v<T> ? 1.0 : 0.0};
+        if (std::is_integral_v<T>) colours.high = 1.0;
         for (std::uint32_t r = 0; r < surface.rows().size(); ++r) {
           const SlotRun run = surface.owned(r);
           for (std::uint32_t slot = run.begin; slot < run.end; ++slot) {
-            range.low = std::min(range.low, static_cast<double>(field[slot]));
-            range.high = std::max(range.high, static_cast<double>(field[slot]));
+            colours.low = std::min(colours.low, static_cast<double>(field[slot]));
+            colours.high = std::max(colours.high, static_cast<double>(field[slot]));
           }
         }
-        return range;
       },
       values);
+  return colours;
 }
 
 void write_torus_picture(const std::filesystem::path& file, const Surface& surface, const CellValues& values,
@@ -62,7 +66,8 @@ void write_torus_picture(const std::filesystem::path& file, const Surface& surfa
   constexpr std::uint32_t good = 1024, most = 4096;
   const std::uint32_t larger = std::max(torus.width, torus.height);
   const std::uint32_t up = std::max(1u, good / larger), down = (larger + most - 1) / most;
-  const std::vector<Rgba8> colours = colours_of(surface, values, labels, false, scale_over(surface, values));
+  const std::vector<Rgba8> colours =
+      slot_colours(surface, values, colours_for(surface, values, labels), false);
   const std::uint32_t across = (torus.width + down - 1) / down, high = (torus.height + down - 1) / down;
   std::vector<glm::vec4> sums(std::size_t{across} * high, glm::vec4(0.0f));
   for (std::uint32_t r = 0; r < surface.rows().size(); ++r)
@@ -115,9 +120,8 @@ CellPainter::CellPainter(const Surface& surface, bool outline, bool one_picture)
   state_ = std::make_unique<State>(State{surface, outline, SurfaceRenderer(surface, options)});
 }
 
-Image CellPainter::draw(const CellValues& values, bool labels, const ColourScale& range,
-                        const Camera& camera) {
-  return state_->renderer.draw(colours_of(state_->surface, values, labels, state_->outline, range), camera);
+Image CellPainter::draw(const CellValues& values, const CellColours& colours, const Camera& camera) {
+  return state_->renderer.draw(slot_colours(state_->surface, values, colours, state_->outline), camera);
 }
 
 #else
@@ -128,7 +132,7 @@ CellPainter::CellPainter(const Surface&, bool, bool) {
   check_picture({});
 }
 
-Image CellPainter::draw(const CellValues&, bool, const ColourScale&, const Camera&) {
+Image CellPainter::draw(const CellValues&, const CellColours&, const Camera&) {
   return {};
 }
 
@@ -144,5 +148,6 @@ void write_picture(const std::filesystem::path& file, const Surface& surface, co
                    bool labels, const PicturePlan& plan) {
   check_picture(plan);
   CellPainter painter(surface, plan.outline, true);
-  write_png(painter.draw(values, labels, scale_over(surface, values), camera_of(surface.mesh(), plan)), file);
+  write_png(painter.draw(values, colours_for(surface, values, labels), camera_of(surface.mesh(), plan)),
+            file);
 }

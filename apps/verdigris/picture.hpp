@@ -4,22 +4,27 @@
 #include <filesystem>
 #include <memory>
 #include <variant>
+#include <vector>
 
 #include "verdigris/automaton/behaviour.hpp"
 #include "verdigris/io/scene.hpp"
 #include "verdigris/picture/camera.hpp"
+#include "verdigris/picture/colour.hpp"
 #include "verdigris/picture/image.hpp"
 #include "verdigris/surface/surface.hpp"
 
 /// Whole or real numbers, [slot].
 using CellValues = std::variant<verdigris::Field<std::int32_t>, verdigris::Field<float>>;
 
-/// Values that get the first and the last colour of the map.
-struct ColourScale {
-  double low = 0.0, high = 0.0;
+/// The colours of a field's values.
+struct CellColours {
+  std::vector<verdigris::Rgba8> regions;  ///< [label] of a field of labels; empty for any other
+  double low = 0.0, high = 0.0;           ///< values that get the first and the last colour of the map
 };
-/// Least and greatest, 0 among them; of whole numbers 1 too.
-ColourScale scale_over(const verdigris::Surface& surface, const CellValues& values);
+
+/// Colours that tell touching regions apart, or a map from the least to the greatest value, 0 among them; of
+/// whole numbers 1 too.
+CellColours colours_for(const verdigris::Surface& surface, const CellValues& values, bool labels);
 
 /// Draws cells of one surface: labels as regions, any other field by a colour map. Throws InputError where
 /// there is no OpenGL.
@@ -32,8 +37,7 @@ class CellPainter {
   CellPainter(const CellPainter&) = delete;
   CellPainter& operator=(const CellPainter&) = delete;
 
-  /// `range` does not count for labels.
-  verdigris::Image draw(const CellValues& values, bool labels, const ColourScale& range,
+  verdigris::Image draw(const CellValues& values, const CellColours& colours,
                         const verdigris::Camera& camera);
 
  private:
@@ -51,7 +55,7 @@ void write_picture(const std::filesystem::path& file, const verdigris::Surface& 
 void write_torus_picture(const std::filesystem::path& file, const verdigris::Surface& surface,
                          const CellValues& values, bool labels, const verdigris::TorusPlan& torus);
 
-/// Size, up axis and margins of a plan.
+/// Size and up axis of a plan.
 verdigris::ViewSettings view_settings(const verdigris::PicturePlan& plan);
 
 /// The camera of a plan. Throws InputError.

@@ -1,28 +1,39 @@
 #include "result_place.hpp"
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "verdigris/base/error.hpp"
 #include "verdigris/io/replace_file.hpp"
+#include "verdigris/weathering/operators.hpp"
 
 using namespace verdigris;
 
 namespace {
 
-constexpr const char* checkpoint_name = "checkpoint.vgc";
+constexpr const char *checkpoint_name = "checkpoint.vgc", *scene_name = "run.toml";
 constexpr std::array files{"cells.vtp",     "regions.csv", "curve.csv",    "statistics.csv", "timeline.csv",
                            "spots.csv",     "share.png",   "loss.png",     "spots.png",      "picture.png",
-                           checkpoint_name, "run.toml",    "animation.mp4"};
+                           checkpoint_name, scene_name,    "animation.mp4"};
 
-// Pictures of an earlier run, of ages and of operations: patina-0012.500y.png, 03-age.png.
+bool is_number(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("0123456789.") == std::string_view::npos;
+}
+
+// Pictures of ages and of operations: patina-012.500y.png, 03-age.png.
 bool is_numbered(std::string_view name) {
   if (!name.ends_with(".png")) return false;
-  return name.starts_with("patina-") ||
-         (name.size() > 7 && name.find_first_not_of("0123456789") == 2 && name[2] == '-');
+  name.remove_suffix(4);
+  if (name.starts_with("patina-") && name.ends_with("y")) return is_number(name.substr(7, name.size() - 8));
+  if (name.size() < 4 || name[2] != '-' || !is_number(name.substr(0, 2))) return false;
+  static const OperatorCatalogue operators = builtin_operators();
+  return std::any_of(operators.entries().begin(), operators.entries().end(),
+                     [&](const OperatorEntry& entry) { return entry.name == name.substr(3); });
 }
 
 }  // namespace
@@ -48,9 +59,21 @@ ResultPlace::~ResultPlace() {
 
 void ResultPlace::clear() const {
   std::error_code ignored;
+  std::vector<std::filesystem::path> earlier;
   for (const char* name : files)
-    if (name != checkpoint_name) std::filesystem::remove(path_ / name, ignored);
+    if (name != checkpoint_name && name != scene_name) std::filesystem::remove(path_ / name, ignored);
   for (std::filesystem::directory_iterator it(path_, ignored), end; !ignored && it != end;
        it.increment(ignored))
-    if (is_numbered(it->path().filename().string())) std::filesystem::remove(it->path(), ignored);
+    if (is_numbered(it->path().filename().string())) earlier.push_back(it->path());
+  for (std::filesystem::directory_iterator it(path_ / "frames", ignored), end; !ignored && it != end;
+       it.increment(ignored))
+    if (is_frame(it->path().filename().string())) earlier.push_back(it->path());
+  for (const std::filesystem::path& file : earlier)
+    if (!std::filesystem::remove(file, ignored))
+      throw InputError(file.string(), "is of an earlier run and cannot be removed",
+                       "choose another directory");
+}
+
+bool is_frame(std::string_view name) {
+  return name.size() == 9 && name.find_first_not_of("0123456789") == 5 && name.substr(5) == ".png";
 }

@@ -2,6 +2,10 @@
 // The directory that a run writes its results into.
 
 #include <filesystem>
+#include <string_view>
+
+/// Whether a file is named as frames of films are: 00012.png.
+bool is_frame(std::string_view name);
 
 /// Scenes are TOML, and TOML is UTF-8: a run with another name could not be repeated. Throws InputError.
 void check_utf8(const std::filesystem::path& path);
@@ -15,8 +19,10 @@ class ResultPlace {
   ResultPlace(const ResultPlace&) = delete;
   ResultPlace& operator=(const ResultPlace&) = delete;
 
-  /// Removes what an earlier run left there and this one may not write, numbered pictures too: it would not
-  /// be of these cells. A checkpoint stays.
+  /// Removes what an earlier run left there and this one may not write, pictures of ages and operations and
+  /// frames of films too: it would not be of these cells. Stay: a checkpoint, run.toml, which may be the very
+  /// scene that runs and is replaced in the end, and pictures of masks. Throws InputError when that cannot be
+  /// done.
   void clear() const;
 
  private:

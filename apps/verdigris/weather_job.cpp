@@ -22,19 +22,15 @@
 
 using namespace verdigris;
 
-std::vector<Mask> weathering_masks(const Surface& surface, const Scene& scene, const ReadReport& read) {
-  return all_masks(surface, scene, read);
-}
-
 namespace {
 
 // Words or JSON on standard output.
 void report(const Scene& scene, const Surface& surface, const std::vector<TimelineRecord>& records,
-            const std::vector<std::string>& files, double seconds, const RunOptions& options) {
+            const std::vector<std::string>& files, double seconds, bool complete, const RunOptions& options) {
   if (options.json) {
     nlohmann::ordered_json all{{"model", model_name(scene)},
                                {"cells", surface.owned_count()},
-                               {"complete", records.size() == scene.weathering.timeline.size()},
+                               {"complete", complete},
                                {"seconds", seconds},
                                {"operations", nlohmann::ordered_json::array()},
                                {"out", options.out},
@@ -79,7 +75,7 @@ int run_weathering(Scene scene, const RunOptions& options) {
   const Surface surface = lay_cells(std::move(model.mesh), scene);
   check_coverage(surface, options.quiet);
   CoatedMetal metal = make_coated_metal(surface, material);
-  MaskBook masks(surface, weathering_masks(surface, scene, model.read), scene.picture.up, scene.seed);
+  MaskBook masks(surface, all_masks(surface, scene, model.read), scene.picture.up, scene.seed);
 
   const std::filesystem::path out = options.out;
   const ResultPlace place(out);
@@ -129,6 +125,7 @@ int run_weathering(Scene scene, const RunOptions& options) {
     say("stopped in operation {} of {}; what was done until then is written\n", records.size(), steps.size());
   if (options.json || !options.quiet)
     report(scene, surface, records, files,
-           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), options);
+           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), complete,
+           options);
   return complete ? 0 : 130;
 }

@@ -1,17 +1,8 @@
 #pragma once
 // A scene with a timeline, from end to end.
 
-#include <vector>
-
 #include "options.hpp"
-#include "verdigris/automaton/catalogue.hpp"
-#include "verdigris/io/read_mesh.hpp"
 #include "verdigris/io/scene.hpp"
-
-/// The masks of a scene by all sources: primitives and files, and those of the catalogue of masks.
-std::vector<verdigris::Mask> weathering_masks(const verdigris::Surface& surface,
-                                              const verdigris::Scene& scene,
-                                              const verdigris::ReadReport& read);
 
 /// Runs `scene`, whose weathering is not empty; writes into options.out cells.vtp, timeline.csv, a picture
 /// after each operation (NN-OP.png), picture.png, and run.toml, which repeats it. Returns the exit status: 0,

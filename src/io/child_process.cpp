@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -14,27 +15,46 @@ namespace verdigris::io {
 
 namespace {
 
-void check(int error, const char* what) {
-  if (error != 0) throw std::system_error(error, std::generic_category(), what);
+[[noreturn]] void fail(int error, const std::string& what) {
+  throw std::system_error(error, std::generic_category(), what);
+}
+
+// A file, not a pipe: it can be long, and nobody reads it until the end.
+std::FILE* unnamed_file() {
+  std::FILE* file = std::tmpfile();
+  if (file == nullptr) fail(errno, "a temporary file");
+  ::fcntl(::fileno(file), F_SETFD, FD_CLOEXEC);
+  return file;
+}
+
+std::string content_of(std::FILE* file) {
+  std::string text;
+  std::array<char, 4096> block;
+  ::lseek(::fileno(file), 0, SEEK_SET);
+  for (ssize_t n = 0; (n = ::read(::fileno(file), block.data(), block.size())) > 0;)
+    text.append(block.data(), static_cast<std::size_t>(n));
+  return text;
 }
 
 }  // namespace
 
-ChildProcess::ChildProcess(const std::vector<std::string>& arguments,
-                           const std::filesystem::path& directory) {
-  std::array<int, 2> pipe{};
-  check(::pipe2(pipe.data(), O_CLOEXEC) == 0 ? 0 : errno, "pipe");
-  output_ = ::fdopen(pipe[0], "r");
-  // A file, not a pipe: it can be long, and nobody reads it until the end.
-  errors_ = std::tmpfile();
+ChildProcess::ChildProcess(const std::vector<std::string>& arguments)
+    : output_(unnamed_file()), errors_(unnamed_file()) {
+  // A socket for its input: writing to one that is gone is an error, not a signal.
+  std::array<int, 2> ends{};
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+    const int error = errno;
+    std::fclose(output_);
+    std::fclose(errors_);
+    fail(error, "a pipe");
+  }
   posix_spawn_file_actions_t actions;
   posix_spawnattr_t attributes;
   ::posix_spawn_file_actions_init(&actions);
   ::posix_spawnattr_init(&attributes);
-  ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  ::posix_spawn_file_actions_adddup2(&actions, pipe[1], STDOUT_FILENO);
-  if (errors_ != nullptr) ::posix_spawn_file_actions_adddup2(&actions, ::fileno(errors_), STDERR_FILENO);
-  if (!directory.empty()) ::posix_spawn_file_actions_addchdir_np(&actions, directory.c_str());
+  ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
+  ::posix_spawn_file_actions_adddup2(&actions, ::fileno(output_), STDOUT_FILENO);
+  ::posix_spawn_file_actions_adddup2(&actions, ::fileno(errors_), STDERR_FILENO);
   ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);  // a group of its own: no Ctrl-C
   std::vector<char*> argv;
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
@@ -42,33 +62,38 @@ ChildProcess::ChildProcess(const std::vector<std::string>& arguments,
   const int error = ::posix_spawnp(&process_, argv[0], &actions, &attributes, argv.data(), environ);
   ::posix_spawn_file_actions_destroy(&actions);
   ::posix_spawnattr_destroy(&attributes);
-  ::close(pipe[1]);
+  ::close(ends[1]);
+  input_ = ends[0];
   if (error == 0) return;
+  ::close(input_);
   std::fclose(output_);
-  if (errors_ != nullptr) std::fclose(errors_);
-  check(error, arguments[0].c_str());
+  std::fclose(errors_);
+  fail(error, arguments[0]);
 }
 
 ChildProcess::~ChildProcess() {
+  end_input();
   if (process_ > 0) {
     ::kill(process_, SIGKILL);
     wait();
   }
   std::fclose(output_);
-  if (errors_ != nullptr) std::fclose(errors_);
+  std::fclose(errors_);
 }
 
-std::optional<std::string> ChildProcess::line() {
-  std::string text;
-  for (int c = std::fgetc(output_); c != EOF; c = std::fgetc(output_)) {
-    if (c == '\n') return text;
-    text += static_cast<char>(c);
+bool ChildProcess::write(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t sent = ::send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent < 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(sent));
   }
-  return text.empty() ? std::nullopt : std::optional(text);
+  return true;
 }
 
-void ChildProcess::stop() {
-  if (process_ > 0) ::kill(process_, SIGTERM);
+void ChildProcess::end_input() {
+  if (input_ >= 0) ::close(input_);
+  input_ = -1;
 }
 
 int ChildProcess::wait() {
@@ -81,12 +106,12 @@ int ChildProcess::wait() {
   return status_;
 }
 
-std::string ChildProcess::errors() {
-  std::string text;
-  if (errors_ == nullptr) return text;
-  std::rewind(errors_);
-  for (int c = std::fgetc(errors_); c != EOF; c = std::fgetc(errors_)) text += static_cast<char>(c);
-  return text;
+std::string ChildProcess::output() const {
+  return content_of(output_);
+}
+
+std::string ChildProcess::errors() const {
+  return content_of(errors_);
 }
 
 }  // namespace verdigris::io

@@ -10,6 +10,7 @@
 
 #include <stb/stb_image.h>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <memory>
 
@@ -23,6 +24,13 @@ GreyImage read_grey_image(const std::filesystem::path& file) {
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
     throw InputError(io::shown(file), "it is too large for an image", "give one below 2 GB");
   int width = 0, height = 0, channels = 0;
+  constexpr std::int64_t most_pixels = 1 << 28;
+  if (stbi_info_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()),
+                            &width, &height, &channels) != 0 &&
+      std::int64_t{width} * height > most_pixels)
+    throw InputError(io::shown(file),
+                     fmt::format("it has {} x {} pixels, more than a mask can use", width, height),
+                     "make it smaller: 16384 x 16384 at most");
   struct Free {
     void operator()(stbi_us* pixels) const { stbi_image_free(pixels); }
   };

@@ -195,7 +195,8 @@ using io::written;
 
 std::string scene_text(const std::filesystem::path& file, const Scene& scene) {
   std::string text =
-      fmt::format("# Repeat this run, to the bit: verdigris run {}\n\n", file.filename().string());
+      fmt::format("# Repeat this run, to the bit: verdigris run {0}\n# Film it: verdigris animate {0}\n\n",
+                  file.filename().string());
   text += fmt::format("[verdigris]\nversion = {}\n\n", quoted(VERDIGRIS_VERSION));
   if (scene.torus.width != 0)
     text += fmt::format("[mesh]\ntorus = [{}, {}]\npatch = {}\n\n", scene.torus.width, scene.torus.height,

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <string_view>
 #include <system_error>
 
 #include "child_process.hpp"
+#include "file_bytes.hpp"
 #include "verdigris/base/error.hpp"
 #include "verdigris/io/replace_file.hpp"
 
@@ -15,45 +17,70 @@ namespace verdigris {
 
 using io::ChildProcess;
 
+namespace {
+
+// The last number of pictures that ffmpeg said it has encoded.
+std::size_t encoded(std::string_view said) {
+  constexpr std::string_view key = "frame=";
+  std::size_t count = 0;
+  if (const auto at = said.rfind(key); at != std::string_view::npos)
+    std::from_chars(said.data() + at + key.size(), said.data() + said.size(), count);
+  return count;
+}
+
+// What is left of its messages without the lines of its progress.
+std::string complaint(std::string_view said) {
+  std::string text;
+  while (!said.empty()) {
+    const std::string_view line = said.substr(0, said.find('\n'));
+    said.remove_prefix(std::min(said.size(), line.size() + 1));
+    const auto equals = line.find('=');
+    if (line.empty() || (equals != std::string_view::npos && line.find(' ') > equals)) continue;
+    if (!text.empty()) text += "; ";
+    text += line;
+  }
+  return text.empty() ? "it does not say why" : text;
+}
+
+}  // namespace
+
 std::string find_ffmpeg() {
   const char* const given = std::getenv("VERDIGRIS_FFMPEG");
   const std::string name = given != nullptr && *given != '\0' ? given : "ffmpeg";
   try {
-    ChildProcess version({name, "-version"});
-    while (version.line()) {
-    }
-    if (version.wait() == 0) return name;
+    ChildProcess encoders({name, "-hide_banner", "-encoders"});
+    encoders.end_input();
+    if (encoders.wait() == 0 && encoders.output().find("libx264") != std::string::npos) return name;
   } catch (const std::system_error&) {
     // Said below.
   }
-  throw InputError(name, "is not there or does not run, and films need it",
-                   "install it (Debian: apt install ffmpeg), set VERDIGRIS_FFMPEG, or draw only the frames "
-                   "with --no-video");
+  throw InputError(name, "is not there, does not run or has no libx264, and films need it",
+                   "install it (Debian: apt install ffmpeg), or set VERDIGRIS_FFMPEG");
 }
 
-bool write_video(const std::string& ffmpeg, const std::filesystem::path& frames, const std::string& pattern,
-                 std::size_t count, double rate, const std::filesystem::path& file,
-                 const std::function<bool(std::size_t done)>& progress) {
+bool write_video(const std::string& ffmpeg, const std::vector<std::filesystem::path>& pictures, double rate,
+                 const std::filesystem::path& file, const std::function<bool(std::size_t done)>& progress) {
   ReplaceFile out(std::filesystem::absolute(file));
   // sRGB pictures as what players take for granted: BT.709 of limited range. A fixed number of threads, for
-  // the encoder's choices depend on it.
+  // the encoder's choices depend on it. Pictures come through a pipe: ffmpeg ends when this program does.
   const std::vector<std::string> command{
       ffmpeg,
       "-hide_banner",
-      "-nostdin",
       "-v",
       "error",
+      "-xerror",
+      "-nostats",
       "-progress",
-      "pipe:1",
+      "pipe:2",
       "-y",
+      "-f",
+      "image2pipe",
+      "-c:v",
+      "png",
       "-framerate",
       fmt::format("{:.17g}", rate),
-      "-start_number",
-      "0",
       "-i",
-      pattern,
-      "-frames:v",
-      std::to_string(count),
+      "pipe:0",
       "-vf",
       "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white,scale=out_color_matrix=bt709:out_range=tv,format=yuv420p",
       "-c:v",
@@ -82,28 +109,25 @@ bool write_video(const std::string& ffmpeg, const std::filesystem::path& frames,
       "mp4",
       "file:" + out.aside().string()};
   try {
-    ChildProcess child(command, frames);
-    bool wanted = true;
-    while (const auto line = child.line()) {
-      constexpr std::string_view key = "frame=";
-      if (!line->starts_with(key)) continue;
-      std::size_t done = 0;
-      std::from_chars(line->data() + key.size(), line->data() + line->size(), done);
-      if (wanted && progress && !progress(done)) {
-        wanted = false;
-        child.stop();
-      }
+    ChildProcess child(command);
+    for (std::size_t k = 0; k < pictures.size(); ++k) {
+      const io::FileBytes picture = io::read_file(pictures[k]);
+      if (!child.write(picture.view())) break;  // it has ended: said below
+      if (progress && !progress(k + 1)) return false;
     }
+    child.end_input();
     const int status = child.wait();
-    if (!wanted) return false;
-    if (status != 0) {
-      std::string said = child.errors();
-      while (!said.empty() && said.back() == '\n') said.pop_back();
-      throw InputError(file.string(), fmt::format("ffmpeg ended with status {}: {}", status, said),
-                       "see what it says; --no-video draws only the frames");
-    }
+    const std::string said = child.errors();
+    if (status != 0)
+      throw InputError(file.string(), fmt::format("ffmpeg ended with status {}: {}", status, complaint(said)),
+                       "see what it says");
+    if (encoded(said) != pictures.size())
+      throw InputError(
+          file.string(),
+          fmt::format("ffmpeg took {} of {} pictures: {}", encoded(said), pictures.size(), complaint(said)),
+          "look for damaged pictures, and remove them");
   } catch (const std::system_error& error) {
-    throw InputError(ffmpeg, error.what(), "install ffmpeg, or draw only the frames with --no-video");
+    throw InputError(ffmpeg, error.what(), "install ffmpeg");
   }
   out.commit();
   return true;

@@ -68,15 +68,11 @@ CameraPath::CameraPath(const Mesh& mesh, std::vector<CameraKey> keys, double tur
     return;
   }
   // The farthest that any view on the way needs for the whole model around its middle.
-  constexpr int samples = 96;
   const Camera sample = frame_mesh(mesh, keys[0].direction, settings);
   const double inner = 1.0 - 2.0 * std::clamp(settings.margin, 0.0, 0.45);
   const double ty = sample.tangent * inner, tx = ty * settings.width / settings.height;
-  for (int k = 0; k <= samples; ++k) {
-    const Camera camera = [&] {
-      Pose pose = pose_at(static_cast<double>(k) / samples);
-      return Camera(direction_of(pose), settings.up == UpAxis::y ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1));
-    }();
+  for (const glm::dvec3& direction : directions_on_the_way()) {
+    const Camera camera(direction, settings.up == UpAxis::y ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1));
     for (const glm::dvec3& position : mesh.positions) {
       const glm::dvec3 p = position - middle_;
       const double z = glm::dot(p, camera.backward());
@@ -84,6 +80,27 @@ CameraPath::CameraPath(const Mesh& mesh, std::vector<CameraKey> keys, double tur
                             z + std::abs(glm::dot(p, camera.up())) / ty});
     }
   }
+}
+
+// So many that nothing is missed between two of them.
+std::vector<glm::dvec3> CameraPath::directions_on_the_way() const {
+  constexpr int samples = 96;
+  std::vector<double> times;
+  for (int i = 0; i <= samples; ++i) times.push_back(static_cast<double>(i) / samples);
+  for (std::size_t k = 1; k < times_.size(); ++k)
+    for (int i = 0; i < samples; ++i)
+      times.push_back(times_[k - 1] + (times_[k] - times_[k - 1]) * i / samples);
+  // More than once round: at each height from all sides.
+  const bool all_round = std::abs(turn_) > full;
+  const std::size_t stride = !all_round ? 1 : times_.size() == 1 ? times.size() : 8;
+  std::vector<glm::dvec3> directions;
+  for (std::size_t k = 0; k < times.size(); k += stride)
+    for (int i = 0; i < (all_round ? samples : 1); ++i) {
+      Pose pose = pose_at(times[k]);
+      pose.heading += full * i / samples;
+      directions.push_back(direction_of(pose));
+    }
+  return directions;
 }
 
 CameraPath::Pose CameraPath::pose_at(double share) const {

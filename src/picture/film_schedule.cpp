@@ -62,7 +62,7 @@ std::vector<FilmMoment> film_moments(std::span<const double> years, std::span<co
     last = at;
     double now = 0.0, place = 0.0;
     for (const double y : years) {
-      if (y > 0.0 && at < now + y) {
+      if (y > 0.0 && at < (now + y) * (1.0 - 1e-9)) {
         place += std::max(0.0, (at - now) / y);
         break;
       }

@@ -48,11 +48,11 @@ const OperatorEntry& entry_of(const OperatorCatalogue& operators, const Timeline
 
 // What an operator says is wrong, with the place in the scene before it.
 OperatorReport apply(const OperatorEntry& entry, CoatedMetal& metal, const OperatorSetup& setup,
-                     const ParameterValues& values, const TimelineStep& step) {
+                     const ParameterValues& values, const TimelineStep& step, const bool& by_listener) {
   try {
     return entry.apply(metal, setup, values);
   } catch (const InputError& error) {
-    if (step.where.empty()) throw;
+    if (step.where.empty() || by_listener) throw;
     throw InputError(fmt::format("{}: {}", step.where, error.where()), error.problem(), error.remedy());
   }
 }
@@ -68,19 +68,24 @@ class Moments {
     for (; next_ < count_ && listener_.moments[next_] <= place; ++next_) listener_.at(next_, metal);
   }
   // Leaves those inside operation `step` to it.
-  void give(OperatorSetup& setup, std::size_t step) const {
+  void give(OperatorSetup& setup, std::size_t step) {
     const auto begin = static_cast<double>(step);
     for (std::size_t k = next_; k < count_ && listener_.moments[k] < begin + 1.0; ++k)
       setup.moments.push_back(listener_.moments[k] - begin);
     setup.show = [this, first = next_](std::size_t moment, const CoatedMetal& metal) {
+      showing_ = true;
       listener_.at(first + moment, metal);
+      showing_ = false;
     };
   }
+  // Stays true when the listener throws.
+  const bool& showing() const { return showing_; }
   void given(const OperatorSetup& setup) { next_ += setup.moments.size(); }
 
  private:
   const TimelineListener& listener_;
   std::size_t count_, next_ = 0;
+  bool showing_ = false;
 };
 
 }  // namespace
@@ -129,7 +134,7 @@ std::vector<TimelineRecord> run_timeline(const OperatorCatalogue& operators, con
     if (listener.progress) setup.progress = [&](double share) { return listener.progress(k, share); };
     if (durations[k] > 0.0) moments.give(setup, k);
     TimelineRecord record{steps[k].op, 0.0, {}, {}, 0.0};
-    record.report = apply(entry, metal, setup, given.parameters, steps[k]);
+    record.report = apply(entry, metal, setup, given.parameters, steps[k], moments.showing());
     moments.given(setup);
     show_ghosts(surface, metal);
     years += record.report.years;

@@ -42,6 +42,11 @@ const char* const growth =
     "80\n\n"
     "[picture]\nwidth = 96\nheight = 80\n\n[animation]\nframes = 24\nhold = 2\nturn = 30\noverlay = true\n";
 
+const char* const life =
+    "[mesh]\nfile = \"cube.obj\"\n\n[surface]\ncells = 5000\n\n[behaviour]\nname = \"life\"\n\n[run]\nsteps "
+    "= 40\n\n"
+    "[picture]\nwidth = 97\nheight = 81\n\n[animation]\nframes = 24\nhold = 1\noverlay = true\n";
+
 std::map<std::string, std::string> film_in(const fs::path& out) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::directory_iterator(out / "frames"))
@@ -89,16 +94,23 @@ TEST_P(Animate, MakesTheSameFilmFromAnyNumberOfThreadsAndFromItsOwnScene) {
 TEST_P(Animate, GoesOnWhereItWasKilledOrStopped) {
   const std::string straight = place.path("straight"), out = place.path("out");
   ASSERT_EQ(verdigris({"animate", scene, "--out", straight}).status, 0);
+  const auto frames = [&] {
+    std::ptrdiff_t count = 0;
+    std::error_code none_yet;
+    for (fs::directory_iterator it(out + "/frames", none_yet), end; !none_yet && it != end; ++it)
+      count += it->path().extension() == ".png";
+    return count;
+  };
   std::mt19937 random(3);
-  std::uniform_int_distribution<int> moment(50, 400);
-  bool begun = false;
   int kills = 0;
-  for (int round = 0; round < 200; ++round) {
+  for (int round = 0; round < 50; ++round) {
     Arguments arguments{"animate", scene, "--out", out};
-    begun = begun || fs::exists(out + "/run.toml");
-    if (begun) arguments.emplace_back("--resume");
+    if (fs::exists(out + "/run.toml")) arguments.emplace_back("--resume");
     Running running(arguments);
-    std::this_thread::sleep_for(std::chrono::milliseconds(moment(random)));
+    // Five times after a few more frames, once while ffmpeg works or about then.
+    const auto until = frames() + static_cast<std::ptrdiff_t>(random() % 5) + 1;
+    while (kills < 6 && !running.ended() && frames() < (kills < 5 ? until : 24))
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
     const int how = round % 3 == 2 ? SIGINT : SIGKILL;
     if (kills < 6 && !running.ended()) running.signal(how);
     const Outcome outcome = running.wait();
@@ -132,8 +144,27 @@ TEST_P(Animate, KeepsToTheFilmThatWasBegun) {
 
 INSTANTIATE_TEST_SUITE_P(Films, Animate,
                          testing::Values(Kind{"Weathering", weathering}, Kind{"Corrosion", corrosion},
-                                         Kind{"Growth", growth}),
+                                         Kind{"Growth", growth}, Kind{"Life", life}),
                          [](const auto& info) { return std::string(info.param.name); });
+
+TEST(AnimateScene, NoticesThatAMaterialHasChangedThoughAllFramesAreThere) {
+  if (no_ffmpeg()) GTEST_SKIP() << "there is no ffmpeg";
+  const Workplace place;
+  place.cube();
+  std::string metal = content_of(VERDIGRIS_MESHES "/../materials/copper.toml"), text = corrosion;
+  place.file("metal.toml", metal);
+  text.replace(text.find("\"copper\""), 8, "\"metal.toml\"");
+  const std::string scene = place.file("scene.toml", text), out = place.path("out");
+  ASSERT_EQ(verdigris({"animate", scene, "--out", out}).status, 0);
+  const std::string video = content_of(out + "/animation.mp4");
+  ASSERT_EQ(verdigris({"animate", scene, "--out", out, "--resume"}).status, 0);
+  EXPECT_EQ(content_of(out + "/animation.mp4"), video);
+  metal.replace(metal.find("#5b3624"), 7, "#3080f0");
+  place.file("metal.toml", metal);
+  const Outcome changed = verdigris({"animate", scene, "--out", out, "--resume"});
+  EXPECT_EQ(changed.status, 2) << changed.err;
+  EXPECT_NE(changed.err.find("00023.png"), std::string::npos) << changed.err;
+}
 
 TEST(AnimateScene, RefusesWhatIsNoFilm) {
   const struct {

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <vector>
 
 #include "verdigris/base/error.hpp"
 #include "verdigris/io/write_png.hpp"
@@ -24,15 +25,18 @@ class Frames {
     fs::create_directories(path);
   }
   ~Frames() { fs::remove_all(path); }
-  void draw(int count, int width, int height) const {
+  std::vector<fs::path> draw(int count, int width, int height) const {
+    std::vector<fs::path> files;
     for (int k = 0; k < count; ++k) {
       Image image{width, height, {}};
       for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
           for (const int c : {(x + 3 * k) % 256, y % 256, 90, 255})
             image.rgba.push_back(static_cast<std::uint8_t>(c));
-      write_png(image, path / fmt::format("{:05}.png", k));
+      files.push_back(path / fmt::format("{:05}.png", k));
+      write_png(image, files.back());
     }
+    return files;
   }
   fs::path path;
 };
@@ -56,14 +60,14 @@ class Video : public testing::Test {
 };
 
 TEST_F(Video, IsAnMp4AndTheSameEachTime) {
-  frames.draw(20, 97, 61);
+  const auto pictures = frames.draw(20, 97, 61);
   std::size_t last = 0;
   const auto see = [&](std::size_t done) {
     last = done;
     return true;
   };
-  EXPECT_TRUE(write_video(ffmpeg, frames.path, "%05d.png", 20, 24.0, frames.path / "a.mp4", see));
-  EXPECT_TRUE(write_video(ffmpeg, frames.path, "%05d.png", 20, 24.0, frames.path / "b.mp4"));
+  EXPECT_TRUE(write_video(ffmpeg, pictures, 24.0, frames.path / "a.mp4", see));
+  EXPECT_TRUE(write_video(ffmpeg, pictures, 24.0, frames.path / "b.mp4"));
   EXPECT_EQ(last, 20u);
   const std::string film = bytes_of(frames.path / "a.mp4");
   EXPECT_EQ(film.substr(4, 4), "ftyp");
@@ -72,18 +76,25 @@ TEST_F(Video, IsAnMp4AndTheSameEachTime) {
 }
 
 TEST_F(Video, LeavesNothingWhenStoppedOrRefused) {
-  frames.draw(30, 64, 64);
-  EXPECT_FALSE(write_video(ffmpeg, frames.path, "%05d.png", 30, 24.0, frames.path / "a.mp4",
-                           [](std::size_t) { return false; }));
-  try {
-    write_video(ffmpeg, frames.path, "no-%05d.png", 30, 24.0, frames.path / "a.mp4");
-    FAIL() << "there are no such frames";
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("no-%05d.png"), std::string::npos) << error.what();
+  const auto pictures = frames.draw(30, 64, 64);
+  const fs::path film = frames.path / "a.mp4";
+  EXPECT_FALSE(write_video(ffmpeg, pictures, 24.0, film, [](std::size_t done) { return done < 9; }));
+  const auto refused = [&] {
+    EXPECT_THROW(write_video(ffmpeg, pictures, 24.0, film), InputError);
+    std::size_t others = 0;
+    for (const auto& entry : fs::directory_iterator(frames.path))
+      others += entry.path().extension() != ".png";
+    EXPECT_EQ(others, 0u);
+  };
+  // Cut off, empty, no picture, not there.
+  const std::string whole = bytes_of(pictures[12]);
+  for (const std::string& damaged :
+       {whole.substr(0, whole.size() / 2), std::string(), std::string("hello")}) {
+    std::ofstream(pictures[12], std::ios::binary) << damaged;
+    refused();
   }
-  std::size_t others = 0;
-  for (const auto& entry : fs::directory_iterator(frames.path)) others += entry.path().extension() != ".png";
-  EXPECT_EQ(others, 0u);
+  fs::remove(pictures[12]);
+  refused();
 }
 
 TEST(NoFfmpeg, IsSaidWithARemedy) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -54,6 +55,21 @@ TEST(CameraPath, TurnsRoundTheMiddleAndKeepsTheModelInThePicture) {
     // The margin is kept, and touched.
     EXPECT_NEAR(closest, 0.04 * 960, 16.0);
   }
+}
+
+TEST(CameraPath, SeesAllSidesOnManyTurns) {
+  const Mesh mesh = slab();
+  // 96 turns: at every 96th of the film the same side.
+  const CameraPath path(mesh, {{0.0, {1, 0, 0}, 1.0, {}}}, 96.0 * 360.0, {});
+  double closest = 1e9;
+  for (int k = 0; k <= 997; ++k) {
+    const Camera camera = path.at(k / 997.0);
+    for (const glm::dvec3& p : mesh.positions) {
+      const glm::dvec3 pixel = camera.to_pixel(p);
+      closest = std::min({closest, pixel.x, pixel.y, camera.width - pixel.x, camera.height - pixel.y});
+    }
+  }
+  EXPECT_GT(closest, 30.0);
 }
 
 TEST(CameraPath, PassesItsViewsWithoutAJerk) {

@@ -53,6 +53,8 @@ TEST(FilmSchedule, ShowsAllThatHasHappenedByAChosenYear) {
   EXPECT_EQ(film[2], (FilmMoment{3.0, 10.0}));
   EXPECT_EQ(film[3], (FilmMoment{3.5, 25.0}));
   EXPECT_EQ(film[4], (FilmMoment{5.0, 40.0}));
+  // Sums that are not round.
+  EXPECT_EQ(film_moments(std::vector<double>{0.1, 0.2, 0.0}, std::vector<double>{0.3})[0].place, 3.0);
   EXPECT_THROW(film_moments(years, std::vector<double>{1.0, 0.5}), InputError);
   EXPECT_THROW(film_moments(years, std::vector<double>{41.0}), InputError);
   EXPECT_THROW(film_moments(years, std::vector<double>{-1.0}), InputError);

@@ -1,6 +1,7 @@
 #pragma once
 // Where a picture is taken from: a named view or a direction, framed so that the model fills the image.
 
+#include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <string_view>

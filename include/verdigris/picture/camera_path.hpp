@@ -2,7 +2,6 @@
 // A camera that moves: round the model as on a turntable, or from view to view.
 
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "verdigris/picture/camera.hpp"
@@ -36,6 +35,7 @@ class CameraPath {
     glm::dvec3 target;
   };
   Pose pose_at(double share) const;
+  std::vector<glm::dvec3> directions_on_the_way() const;
   glm::dvec3 direction_of(const Pose& pose) const;
 
   std::vector<double> times_;

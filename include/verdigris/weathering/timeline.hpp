@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <glm/vec3.hpp>
 #include <span>
 #include <string>
 #include <string_view>
