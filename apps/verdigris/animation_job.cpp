@@ -147,7 +147,7 @@ void report(const Scene& scene, const FilmOptions& options, const Film& film, st
                                  {"total", seconds.total()}}},
                                {"out", options.out}};
     all["video"] = video != nullptr ? nlohmann::ordered_json(video) : nlohmann::ordered_json();
-    fmt::print("{}\n", all.dump(2));
+    fmt::print("{}\n", all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   } else if (!options.quiet) {
     fmt::print("{}: {} frames, {} of them drawn now, in {}\n", model_name(scene), frames, drawn,
                film.directory().string());
@@ -163,6 +163,7 @@ int run_animation(Scene scene, const FilmOptions& options) {
   const ThreadLimit threads(options.threads);
   const std::string ffmpeg = options.video ? find_ffmpeg() : "";
   prepare_film(scene);
+  check_inputs(scene, options.out);
   Progress progress(!options.quiet);
   watch_for_interrupt();
   Seconds seconds;

@@ -21,7 +21,11 @@ using namespace verdigris;
 
 namespace {
 constexpr std::uint64_t most_rows = 2000;  // of statistics.csv, about
+
+std::string picture_name(double years) {
+  return fmt::format("patina-{:07.3f}y.png", years);
 }
+}  // namespace
 
 Material prepare_corrosion(Scene& scene) {
   const CorrosionPlan& plan = scene.corrosion;
@@ -35,6 +39,18 @@ Material prepare_corrosion(Scene& scene) {
   if (scene.steps == 0)
     throw InputError("steps", "a material that ages in years needs to know when to end",
                      "write steps under [run]");
+  const double end = static_cast<double>(scene.steps) * plan.step_years;
+  std::vector<std::string> names;
+  for (const double years : plan.frames) {
+    if (!(years <= end * (1.0 + 1e-9)))
+      throw InputError("frames",
+                       fmt::format("there is no picture after {:g} years: the run ends at {:g}", years, end),
+                       "give ages of the run");
+    names.push_back(picture_name(years));
+    if (std::count(names.begin(), names.end(), names.back()) > 1)
+      throw InputError("frames", fmt::format("two pictures would be {}", names.back()),
+                       "leave a thousandth of a year between ages");
+  }
   Material material = find_material(plan.material);
   if (scene.picture.draw) check_patina(material);
   const ExposureClass exposure = exposure_class_named(plan.exposure);
@@ -185,7 +201,7 @@ std::vector<std::string> draw_corrosion(const std::filesystem::path& out, const 
   std::vector<std::string> files;
   for (const double years : scene.corrosion.frames) {
     if (years > now * (1.0 + 1e-9)) continue;
-    files.push_back(fmt::format("patina-{:07.3f}y.png", years));
+    files.push_back(picture_name(years));
     write_png(painter.draw(years, camera), out / files.back());
   }
   write_png(painter.draw(now, camera), out / "picture.png");

@@ -10,6 +10,7 @@
 
 #include "result_place.hpp"
 #include "verdigris/base/error.hpp"
+#include "verdigris/io/read_image.hpp"
 #include "verdigris/io/replace_file.hpp"
 #include "verdigris/io/write_png.hpp"
 
@@ -34,6 +35,18 @@ void check_same_scene(const fs::path& file, const Scene& scene) {
                      "give the options and the scene it was begun with, or leave --resume out");
 }
 
+// What a crash of the machine or another hand has damaged is drawn again.
+bool is_whole(const fs::path& file, const PicturePlan& plan) {
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return false;
+  try {
+    const GreyImage image = read_grey_image(file);
+    return image.width == plan.width && image.height == plan.height;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 Film::Film(fs::path out, const Scene& scene, std::size_t frames, bool resume)
@@ -45,9 +58,8 @@ Film::Film(fs::path out, const Scene& scene, std::size_t frames, bool resume)
     write_scene(out / "run.toml", scene);
     return;
   }
-  std::error_code ignored;
   for (std::size_t k = 0; k < frames; ++k) {
-    there_[k] = fs::exists(file_of(k), ignored);
+    there_[k] = is_whole(file_of(k), scene.picture);
     kept_ += there_[k];
   }
   // The last of the first run of frames that are there.

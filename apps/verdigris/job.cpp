@@ -73,6 +73,7 @@ int run_job(Scene scene, const RunOptions& options) {
   std::optional<Material> material;
   if (!scene.corrosion.empty()) material = prepare_corrosion(scene);
   check_scene(scene, behaviour);
+  check_inputs(scene, options.out);
   complete_scene(scene, behaviour);
   const std::filesystem::path out = options.out, checkpoint_file = out / "checkpoint.vgc";
   const CheckpointInterval interval = parse_interval(options.checkpoint_every);

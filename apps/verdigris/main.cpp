@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -36,6 +37,7 @@ int main(int argc, char** argv) {
     return fmt::format("error: {}\n  remedy: see verdigris {}--help\n", error.what(),
                        commands.empty() ? "" : commands.front()->get_name() + " ");
   });
+  std::signal(SIGXFSZ, SIG_IGN);  // a file at its limit is an error like others
   int status = 0;
   add_info(app);
   add_behaviours(app, status);

@@ -55,6 +55,10 @@ void check_bounds(const MaskPlan& mask, double low, double high) {
   if (mask.low.value_or(low) == mask.high.value_or(high))
     throw InputError(place_of(mask), fmt::format("low and high are both {}", mask.low.value_or(low)),
                      "leave some range between them");
+  const auto width = static_cast<float>(mask.high.value_or(high) - mask.low.value_or(low));
+  if (width == 0.0f || !std::isfinite(1.0f / width) || !std::isfinite(width))
+    throw InputError(place_of(mask), "the range from low to high is none that a float can hold",
+                     "give values that are neither so close nor so far apart");
 }
 
 // What needs no model.

@@ -116,6 +116,7 @@ void add_picture_options(CLI::App& app, Scene& scene, PictureOptionTexts& texts)
       ->type_name("VIEW")
       ->capture_default_str();
   app.add_option("--up", scene.picture.up, "Axis of the model that points up: y or z")
+      ->check(CLI::IsMember({"y", "z"}))
       ->type_name("AXIS")
       ->capture_default_str();
   app.add_option("--size", texts.size, "Picture size in pixels (default 1280x960)")->type_name("WxH");
@@ -129,20 +130,22 @@ void finish_picture_options(Scene& scene, const PictureOptionTexts& texts) {
   if (texts.no_outline) scene.picture.outline = false;
 }
 
-void add_run_options(CLI::App& app, RunOptions& options) {
+void add_run_options(CLI::App& app, RunOptions& options, bool checkpoints) {
   app.add_option("--out,-o", options.out, "Directory for the results; made if need be")
       ->type_name("DIR")
       ->capture_default_str();
   app.add_option("--threads", options.threads, "Threads to use (default: all cores); the result is the same")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
-  app.add_option("--checkpoint-every", options.checkpoint_every,
-                 "Write checkpoint.vgc into the directory every so many steps, or every 30s, 5m, 2h; "
-                 "a stopped run always writes one, a complete one removes it")
-      ->type_name("N|TIME");
-  app.add_flag("--resume", options.resume,
-               "Go on from the checkpoint in the directory; all but --steps, --threads and the picture "
-               "must be as it was then");
+  if (checkpoints) {
+    app.add_option("--checkpoint-every", options.checkpoint_every,
+                   "Write checkpoint.vgc into the directory every so many steps, or every 30s, 5m, 2h; "
+                   "a stopped run always writes one, a complete one removes it")
+        ->type_name("N|TIME");
+    app.add_flag("--resume", options.resume,
+                 "Go on from the checkpoint in the directory; all but --steps, --threads and the picture "
+                 "must be as it was then");
+  }
   app.add_flag("--no-cells", options.no_cells, "Do not write cells.vtp (48 bytes and more a cell)");
   app.add_flag("--json", options.json, "Report as one JSON object on standard output");
   app.add_flag("--quiet,-q", options.quiet, "No progress and no report");

@@ -52,8 +52,8 @@ struct PictureOptionTexts {
 void add_picture_options(CLI::App& app, verdigris::Scene& scene, PictureOptionTexts& texts);
 void finish_picture_options(verdigris::Scene& scene, const PictureOptionTexts& texts);
 
-/// --out, --threads, --checkpoint-every, --resume, --json, --quiet.
-void add_run_options(CLI::App& app, RunOptions& options);
+/// --out, --threads, --json, --quiet; for what can be taken up again --checkpoint-every and --resume.
+void add_run_options(CLI::App& app, RunOptions& options, bool checkpoints = true);
 
 /// The primitives of synthesis, for `list` and `synth --list`.
 void print_primitives();

@@ -5,7 +5,6 @@
 #include "corrosion_results.hpp"
 #include "masks.hpp"
 #include "picture.hpp"
-#include "result_place.hpp"
 #include "verdigris/base/error.hpp"
 
 using namespace verdigris;
@@ -15,9 +14,6 @@ void check_scene(const Scene& scene, const BehaviourEntry& behaviour) {
       scene.file.empty() ? behaviour.name : fmt::format("{}: {}", scene.file.string(), behaviour.name);
   check_parameters(owner, behaviour.parameters, scene.parameters);
   if (scene.picture.draw) check_picture(scene.picture);
-  check_utf8(scene.mesh);
-  check_utf8(scene.barrier.mask);
-  for (const MaskPlan& mask : scene.masks) check_utf8(mask.file), check_utf8(mask.image);
   check_masks(scene, behaviour);
   if (behaviour.needs_seeds && scene.seeds.empty())
     throw InputError("seeds", fmt::format("{} needs some", behaviour.name),

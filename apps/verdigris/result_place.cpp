@@ -16,10 +16,10 @@ using namespace verdigris;
 
 namespace {
 
-constexpr const char *checkpoint_name = "checkpoint.vgc", *scene_name = "run.toml";
-constexpr std::array files{"cells.vtp",     "regions.csv", "curve.csv",    "statistics.csv", "timeline.csv",
-                           "spots.csv",     "share.png",   "loss.png",     "spots.png",      "picture.png",
-                           checkpoint_name, scene_name,    "animation.mp4"};
+constexpr std::string_view checkpoint_name = "checkpoint.vgc", scene_name = "run.toml";
+constexpr std::array<std::string_view, 13> files{
+    "cells.vtp", "regions.csv", "curve.csv",   "statistics.csv", "timeline.csv", "spots.csv",    "share.png",
+    "loss.png",  "spots.png",   "picture.png", checkpoint_name,  scene_name,     "animation.mp4"};
 
 bool is_number(std::string_view text) {
   return !text.empty() && text.find_first_not_of("0123456789.") == std::string_view::npos;
@@ -36,8 +36,6 @@ bool is_numbered(std::string_view name) {
                      [&](const OperatorEntry& entry) { return entry.name == name.substr(3); });
 }
 
-}  // namespace
-
 void check_utf8(const std::filesystem::path& path) {
   try {
     static_cast<void>(nlohmann::json(path.string()).dump());
@@ -46,10 +44,34 @@ void check_utf8(const std::filesystem::path& path) {
   }
 }
 
+}  // namespace
+
+bool is_frame(std::string_view name) {
+  return name.size() == 9 && name.find_first_not_of("0123456789") == 5 && name.substr(5) == ".png";
+}
+
+void check_inputs(const Scene& scene, const std::filesystem::path& out) {
+  std::vector<std::filesystem::path> inputs{scene.mesh, scene.barrier.mask};
+  for (const MaskPlan& mask : scene.masks) inputs.insert(inputs.end(), {mask.file, mask.image});
+  for (const std::string& material : {scene.corrosion.material, scene.weathering.material})
+    if (material.ends_with(".toml")) inputs.emplace_back(material);
+  const auto place = std::filesystem::weakly_canonical(out), frames = place / "frames";
+  for (const std::filesystem::path& input : inputs) {
+    if (input.empty()) continue;
+    check_utf8(input);
+    const auto file = std::filesystem::weakly_canonical(input);
+    const std::string name = file.filename().string();
+    const bool is_result = std::find(files.begin(), files.end(), name) != files.end() || is_numbered(name);
+    if ((file.parent_path() == place && is_result) || (file.parent_path() == frames && is_frame(name)))
+      throw InputError(input.string(), "is read, and results of that name go into the same directory",
+                       "give another directory, or rename the file");
+  }
+}
+
 ResultPlace::ResultPlace(std::filesystem::path path)
     : path_(std::move(path)), made_(!std::filesystem::exists(path_)) {
   make_directory(path_);
-  for (const char* name : files) remove_abandoned(path_ / name);
+  for (const std::string_view name : files) remove_abandoned(path_ / name);
 }
 
 ResultPlace::~ResultPlace() {
@@ -60,7 +82,7 @@ ResultPlace::~ResultPlace() {
 void ResultPlace::clear() const {
   std::error_code ignored;
   std::vector<std::filesystem::path> earlier;
-  for (const char* name : files)
+  for (const std::string_view name : files)
     if (name != checkpoint_name && name != scene_name) std::filesystem::remove(path_ / name, ignored);
   for (std::filesystem::directory_iterator it(path_, ignored), end; !ignored && it != end;
        it.increment(ignored))
@@ -72,8 +94,4 @@ void ResultPlace::clear() const {
     if (!std::filesystem::remove(file, ignored))
       throw InputError(file.string(), "is of an earlier run and cannot be removed",
                        "choose another directory");
-}
-
-bool is_frame(std::string_view name) {
-  return name.size() == 9 && name.find_first_not_of("0123456789") == 5 && name.substr(5) == ".png";
 }

@@ -4,11 +4,14 @@
 #include <filesystem>
 #include <string_view>
 
+#include "verdigris/io/scene.hpp"
+
 /// Whether a file is named as frames of films are: 00012.png.
 bool is_frame(std::string_view name);
 
-/// Scenes are TOML, and TOML is UTF-8: a run with another name could not be repeated. Throws InputError.
-void check_utf8(const std::filesystem::path& path);
+/// Refuses what a scene reads when it lies where results go into `out`, and would be lost; and names that are
+/// not UTF-8: scenes are TOML, and a run with another name could not be repeated. Throws InputError.
+void check_inputs(const verdigris::Scene& scene, const std::filesystem::path& out);
 
 /// Makes the directory and takes away what ended runs left half written; takes the directory away again when
 /// nothing came to be in it.

@@ -22,10 +22,12 @@ void add_weather(CLI::App& app, int& status) {
   command->add_option("--cells", options->cells, "Another number of cells: 250000, 500k, 2M")->type_name("N");
   command->add_option("--view", options->view, "Another view: front, iso, or a direction x,y,z")
       ->type_name("VIEW");
-  command->add_option("--up", options->up, "Axis of the model that points up: y or z")->type_name("AXIS");
+  command->add_option("--up", options->up, "Axis of the model that points up: y or z")
+      ->type_name("AXIS")
+      ->check(CLI::IsMember({"y", "z"}));
   command->add_option("--size", options->size, "Another picture size in pixels")->type_name("WxH");
   command->add_flag("--no-picture", options->no_picture, "Write data only; needs no OpenGL");
-  add_run_options(*command, options->run);
+  add_run_options(*command, options->run, false);
   command->footer(
       "Writes a picture after each operation, picture.png, cells.vtp, timeline.csv, and run.toml, which\n"
       "repeats the run. `verdigris list` names the operators; docs/weathering.md says what they do.");

@@ -41,7 +41,7 @@ void report(const Scene& scene, const Surface& surface, const std::vector<Timeli
       one["seconds"] = r.seconds;
       all["operations"].push_back(one);
     }
-    fmt::print("{}\n", all.dump(2));
+    fmt::print("{}\n", all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     return;
   }
   fmt::print("{}: {} cells of {:.4g}, {}\n", model_name(scene), surface.owned_count(), surface.cell_size(),
@@ -59,12 +59,14 @@ void report(const Scene& scene, const Surface& surface, const std::vector<Timeli
 
 int run_weathering(Scene scene, const RunOptions& options) {
   const ThreadLimit threads(options.threads);
-  if (options.resume)
-    throw InputError("--resume", "timelines keep no checkpoints", "run the scene from its beginning");
+  if (options.resume || !options.checkpoint_every.empty())
+    throw InputError("--resume, --checkpoint-every", "timelines keep no checkpoints",
+                     "run the scene from its beginning");
   if (scene.torus.width != 0)
     throw InputError(scene.file.string(), "a flat torus does not weather", "name a model");
   const Material material = find_material(scene.weathering.material);
   if (scene.picture.draw) check_picture(scene.picture);
+  check_inputs(scene, options.out);
   const auto begin = std::chrono::steady_clock::now();
   Progress progress(!options.quiet);
   watch_for_interrupt();
@@ -79,11 +81,11 @@ int run_weathering(Scene scene, const RunOptions& options) {
 
   const std::filesystem::path out = options.out;
   const ResultPlace place(out);
-  place.clear();
   std::optional<WeatherPainter> painter;
   std::vector<std::string> files;
   Camera camera;
-  Image latest;
+  // Kept until the end: a timeline that turns out to be wrong leaves an earlier run's results as they are.
+  std::vector<std::pair<std::string, Image>> pictures;
   if (scene.picture.draw) {
     painter.emplace(surface, scene);
     camera = camera_of(surface.mesh(), scene.picture);
@@ -97,9 +99,7 @@ int run_weathering(Scene scene, const RunOptions& options) {
   };
   listener.after = [&](std::size_t k, const CoatedMetal& now, const TimelineRecord&) {
     if (!painter) return;
-    files.push_back(fmt::format("{:02}-{}.png", k + 1, steps[k].op));
-    latest = painter->draw(now, camera);
-    write_png(latest, out / files.back());
+    pictures.emplace_back(fmt::format("{:02}-{}.png", k + 1, steps[k].op), painter->draw(now, camera));
   };
   progress.stage("weathering");
   const glm::dvec3 up = scene.picture.up == "z" ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
@@ -108,9 +108,11 @@ int run_weathering(Scene scene, const RunOptions& options) {
   const bool complete = records.size() == steps.size() && (records.empty() || records.back().report.complete);
 
   progress.stage("writing");
-  if (painter) {
-    write_png(latest, out / "picture.png");
-    files.emplace_back("picture.png");
+  place.clear();
+  if (!pictures.empty()) pictures.emplace_back("picture.png", pictures.back().second);
+  for (const auto& [name, picture] : pictures) {
+    write_png(picture, out / name);
+    files.push_back(name);
   }
   if (!options.no_cells) {
     write_weathered_cells(out / "cells.vtp", surface, metal);

@@ -29,7 +29,10 @@ std::vector<TimelineStep> read_timeline(const std::filesystem::path& file, const
         if (!value.is_string()) fail(value, "timeline.op is not a string", "put it in quotes");
         step.op = value.as_string()->get();
       } else if (number) {
-        step.values.emplace_back(std::string(key.str()), *value.value<double>());
+        // toml++ gives no double for whole numbers that one does not hold exactly.
+        step.values.emplace_back(std::string(key.str()), value.is_integer()
+                                                             ? static_cast<double>(value.as_integer()->get())
+                                                             : value.as_floating_point()->get());
       } else {
         step.values.emplace_back(std::string(key.str()), value.as_string()->get());
       }

@@ -66,8 +66,14 @@ struct CoatOperator {
     v("density", density, 1e-3, 100.0, "g/cm3", "of the dry coat");
   }
 
-  OperatorReport apply(CoatedMetal& metal, const OperatorSetup& setup) const {
+  void check() const {
     if (layer.empty()) throw InputError("coat", "it has no name", "write layer = \"paint\"");
+    colour_of(colour, "coat");
+    if (!along.empty()) parse_direction(along, "coat: along");
+  }
+
+  OperatorReport apply(CoatedMetal& metal, const OperatorSetup& setup) const {
+    check();
     for (const Coat& other : metal.coats)
       if (other.layer.name == layer)
         throw InputError("coat", fmt::format("there is a coat '{}' already", layer), "give it another name");

@@ -21,8 +21,8 @@ namespace verdigris::weathering {
 
 namespace {
 
-// The loose coat of that name while none but loose ones lie on it; else a new one on top, numbered when the
-// name is taken.
+// The loose coat of that name and look while none but loose ones lie on it; else a new one on top, numbered
+// when the name is taken.
 Coat& loose_coat(CoatedMetal& metal, Layer layer) {
   const std::string base = layer.name;
   auto latest = metal.coats.end();
@@ -34,7 +34,13 @@ Coat& loose_coat(CoatedMetal& metal, Layer layer) {
     layer.name = fmt::format("{} {}", base, number);
   }
   const auto is_loose = [](const Coat& coat) { return coat.kind == CoatKind::loose; };
-  if (latest != metal.coats.end() && std::all_of(latest, metal.coats.end(), is_loose)) return *latest;
+  const auto looks_alike = [&](const Layer& other) {
+    return other.finish.colour == layer.finish.colour && other.opacity == layer.opacity &&
+           other.unit == layer.unit;
+  };
+  if (latest != metal.coats.end() && looks_alike(latest->layer) &&
+      std::all_of(latest, metal.coats.end(), is_loose))
+    return *latest;
   metal.coats.push_back({std::move(layer), CoatKind::loose, Field<float>(metal.loss.size(), 0.0f), {}});
   return metal.coats.back();
 }
@@ -59,9 +65,14 @@ struct Dust {
     v("unit", unit, 1e-6, 1e6, "um", "thickness that counts as 1 for the light");
   }
 
-  OperatorReport apply(CoatedMetal& metal, const OperatorSetup& setup) const {
-    const Surface& surface = setup.surface;
+  void check() const {
     if (layer.empty()) throw InputError("dust", "it has no name", "write layer = \"dust\"");
+    colour_of(colour, "dust");
+  }
+
+  OperatorReport apply(CoatedMetal& metal, const OperatorSetup& setup) const {
+    check();
+    const Surface& surface = setup.surface;
     Layer look;
     look.name = layer;
     look.finish = {colour_of(colour, "dust"), 1.0f, 0.0f, 0.0f, 1.0f};

@@ -25,6 +25,10 @@ double OperatorSetup::at(const Field<float>* mask, std::uint32_t slot) {
 void OperatorCatalogue::add(OperatorEntry entry) {
   for (const OperatorEntry& other : entries_)
     if (other.name == entry.name) throw std::invalid_argument("an operator of that name is there");
+  // A scene could not tell them apart.
+  for (const ParameterInfo& parameter : entry.parameters)
+    if (std::find(entry.masks.begin(), entry.masks.end(), parameter.name) != entry.masks.end())
+      throw std::invalid_argument("a mask and a parameter have one name");
   entries_.push_back(std::move(entry));
 }
 

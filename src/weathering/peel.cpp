@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "cells.hpp"
+#include "distance.hpp"
 #include "entries.hpp"
 #include "verdigris/automaton/simulation.hpp"
 #include "verdigris/behaviours/voronoi_growth.hpp"
@@ -17,7 +18,7 @@ constexpr std::uint32_t tough_purpose = 0x50454502, defect_purpose = 0x50454503,
 struct Peel {
   static constexpr const char *name = "peel",
                               *summary = "lets a coat come loose from its defects and fall off in flakes";
-  static std::vector<std::string> masks() { return {"stress"}; }
+  static std::vector<std::string> masks() { return {"where"}; }
   std::string layer;
   double stress = 2.6, spread = 0.35, defects = 0.0, flake = 12.0, fall = 0.7;
   std::uint64_t steps = 60;
@@ -37,10 +38,9 @@ struct Peel {
   OperatorReport apply(CoatedMetal& metal, const OperatorSetup& setup) const {
     const Surface& surface = setup.surface;
     const std::size_t lowest = find_coat(metal, layer, "peel");
-    const auto state = delaminate(metal.coats[lowest], setup);
-    const Field<std::int32_t> flakes = break_up(setup, state);
-
     OperatorReport report;
+    const auto state = delaminate(metal.coats[lowest], setup, report);
+    const Field<std::int32_t> flakes = break_up(setup, state);
     Coat& coat = metal.coats[lowest];
     if (coat.adhesion.empty()) coat.adhesion.assign(surface.slot_count(), 1.0f);
     std::int32_t count = 0;
@@ -69,9 +69,10 @@ struct Peel {
     return uniform(setup.seed, 3, static_cast<std::uint32_t>(flake_here), fall_purpose) < fall;
   }
 
-  Field<DelaminationRule::State> delaminate(const Coat& coat, const OperatorSetup& setup) const {
+  Field<DelaminationRule::State> delaminate(const Coat& coat, const OperatorSetup& setup,
+                                            OperatorReport& report) const {
     const Surface& surface = setup.surface;
-    const Field<float>* mask = setup.mask("stress");
+    const Field<float>* mask = setup.mask("where");
     double sum = 0.0;
     std::uint64_t coated = 0;
     each_owned(surface, [&](std::uint32_t slot) {
@@ -95,7 +96,12 @@ struct Peel {
                                                                 : DelaminationRule::bonded;
     });
     Simulation<DelaminationRule> run(surface, DelaminationRule{pull, tough}, std::move(state), setup.seed);
-    for (std::uint64_t k = 0; k < steps && !run.finished(); ++k) run.step();
+    for (std::uint64_t k = 0; k < steps && !run.finished(); ++k) {
+      if (run.step().changed == 0) break;
+      if (setup.go_on(static_cast<double>(k) / static_cast<double>(steps))) continue;
+      report.complete = false;
+      break;
+    }
     return run.state();
   }
 
@@ -118,7 +124,29 @@ struct Peel {
     growth.barrier = std::move(barrier);
     const auto voronoi = voronoi_entry().create(growth, {});
     while (!voronoi->finished()) voronoi->step();
-    return voronoi->field("label");
+    Field<std::int32_t> flakes = voronoi->field("label");
+    name_the_rest(surface, state, static_cast<std::int32_t>(count), flakes);
+    return flakes;
+  }
+
+  // Regions that no point fell into are a flake each.
+  static void name_the_rest(const Surface& surface, const Field<DelaminationRule::State>& state,
+                            std::int32_t next, Field<std::int32_t>& flakes) {
+    const std::vector<std::uint32_t> owners = owners_of(surface);
+    std::vector<std::uint32_t> queue;
+    const auto take = [&](std::uint32_t slot) {
+      if (slot == no_owner || state[slot] != DelaminationRule::loose || flakes[slot] >= 0) return;
+      flakes[slot] = next;
+      queue.push_back(slot);
+    };
+    each_owned(surface, [&](std::uint32_t first) {
+      take(first);
+      if (queue.empty()) return;
+      for (std::size_t k = 0; k < queue.size(); ++k)
+        for (const std::uint32_t n : around(surface, queue[k])) take(owners[n]);
+      queue.clear();
+      ++next;
+    });
   }
 };
 

@@ -51,7 +51,10 @@ struct Scratch {
     const auto starts = most > 0 ? random_seeds(surface, most, setup.seed) : std::vector<Seed>{};
     std::uint64_t drawn = 0;
     std::vector<std::uint32_t> line, touched;
+    bool complete = true;
     for (std::uint32_t k = 0; k < starts.size(); ++k) {
+      complete = setup.go_on(static_cast<double>(k) / static_cast<double>(starts.size()));
+      if (!complete) break;
       const auto w = CellRandom(setup.seed, 1, k).words(scratch_purpose);
       const auto u = [&](std::size_t i) { return w[i] / 4294967296.0; };
       if (u(0) >= OperatorSetup::at(where, starts[k].slot)) continue;
@@ -78,6 +81,7 @@ struct Scratch {
       for (const std::uint32_t slot : touched) press[slot] = 0.0f, distance[slot] = half;
     }
     OperatorReport report;
+    report.complete = complete;
     each_owned(surface, [&](std::uint32_t slot) {
       if (!(cut[slot] > 0.0f)) return;
       ++report.cells;

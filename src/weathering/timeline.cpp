@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 
 #include "verdigris/automaton/random.hpp"
 #include "verdigris/base/error.hpp"
@@ -46,15 +47,31 @@ const OperatorEntry& entry_of(const OperatorCatalogue& operators, const Timeline
   }
 }
 
-// What an operator says is wrong, with the place in the scene before it.
-OperatorReport apply(const OperatorEntry& entry, CoatedMetal& metal, const OperatorSetup& setup,
-                     const ParameterValues& values, const TimelineStep& step, const bool& by_listener) {
+// What is said to be wrong, with the place in the scene before it.
+template <typename Work>
+void at_its_place(const TimelineStep& step, const Work& work) {
   try {
-    return entry.apply(metal, setup, values);
+    work();
   } catch (const InputError& error) {
-    if (step.where.empty() || by_listener) throw;
+    if (step.where.empty()) throw;
     throw InputError(fmt::format("{}: {}", step.where, error.where()), error.problem(), error.remedy());
   }
+}
+
+OperatorReport apply(const OperatorEntry& entry, CoatedMetal& metal, const OperatorSetup& setup,
+                     const ParameterValues& values, const TimelineStep& step, const bool& by_listener) {
+  OperatorReport report;
+  std::exception_ptr of_listener;
+  at_its_place(step, [&] {
+    try {
+      report = entry.apply(metal, setup, values);
+    } catch (...) {
+      if (!by_listener) throw;
+      of_listener = std::current_exception();
+    }
+  });
+  if (of_listener) std::rethrow_exception(of_listener);
+  return report;
 }
 
 // Shows the moments of a timeline as its operations come to them.
@@ -105,6 +122,7 @@ void check_timeline(const OperatorCatalogue& operators, std::span<const Timeline
     const OperatorEntry& entry = entry_of(operators, step);
     const Given given = given_by(entry, step);
     check_parameters(where_of(step), entry.parameters, given.parameters);
+    if (entry.check) at_its_place(step, [&] { entry.check(given.parameters); });
     for (const auto& [name, expression] : given.masks)
       MaskExpression(expression, mask_names, fmt::format("{}.{}", where_of(step), name));
   }

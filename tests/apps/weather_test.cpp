@@ -40,6 +40,8 @@ TEST(Weather, RefusesBadTimelinesByLine) {
       {"op = \"scratch\", ", "", "scene.toml:3"},
       {"count = 4", "cout = 4", "scene.toml:3"},
       {"count = 4", "count = true", "scene.toml:3"},
+      {"years = 3", "years = 9223372036854775807", "scene.toml:4"},
+      {"thickness = 50", "thickness = 50, colour = \"red\"", "scene.toml:2"},
       {"C5", "C6", "scene.toml:4"},
       {"seeding = \"bare\"", "seeding = \"bear\"", "scene.toml:4"},
       {"bare-steel", "kryptonite", "kryptonite"},
@@ -56,6 +58,26 @@ TEST(Weather, RefusesBadTimelinesByLine) {
     expect_refused(verdigris({"weather", scene, "--out", place.path("out")}), change.place,
                    place.path("out"));
   }
+}
+
+TEST(Weather, KeepsEarlierResultsUntilItHasItsOwn) {
+  const Workplace place;
+  place.cube();
+  const std::string out = place.path("out");
+  ASSERT_EQ(verdigris({"weather", place.file("scene.toml", good), "--out", out}).status, 0);
+  std::string bad = good;
+  bad.replace(bad.find("]\n\n[mesh]"), 1, "  { op = \"coat\", layer = \"paint\" },\n]");
+  const Outcome outcome = verdigris({"weather", place.file("bad.toml", bad), "--out", out});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("bad.toml:5"), std::string::npos) << outcome.err;
+  for (const char* file : {"cells.vtp", "timeline.csv", "run.toml"})
+    EXPECT_TRUE(std::filesystem::exists(place.path("out") / file)) << file;
+  // A scene may lie where its results go; what it reads may not.
+  EXPECT_EQ(verdigris({"weather", out + "/run.toml", "--out", out}).status, 0);
+  std::filesystem::copy_file(place.path("cube.obj"), place.path("out") / "picture.png");
+  EXPECT_EQ(
+      verdigris({"weather", place.path("scene.toml"), "--mesh", out + "/picture.png", "--out", out}).status,
+      2);
 }
 
 TEST(Weather, PresetsReadAndTakeAnyModel) {

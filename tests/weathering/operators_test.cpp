@@ -172,6 +172,18 @@ TEST(Erode, LeavesWhatLiesBelowTheLowestCoatItWears) {
   EXPECT_THROW(apply(metal, {s}, "erode", {{"down_to", std::string("glaze")}}), InputError);
 }
 
+TEST(Peel, AllThatIsLooseFallsWhenAllFlakesDo) {
+  const Surface s = surface_of(sheet(200.0, 6, 1));
+  CoatedMetal metal = painted(s, 80.0, 0.3);
+  apply(metal, {s}, "scratch", {{"count", 40.0}, {"length", 0.05}, {"depth", 1000.0}});
+  // Far more regions than flakes of that size.
+  const auto report =
+      apply(metal, {s}, "peel", {{"stress", 3.0}, {"steps", 6.0}, {"fall", 1.0}, {"flake", 30.0}});
+  EXPECT_GT(report.cells, 100u);
+  EXPECT_EQ(report.numbers.at(0).first, "loose_cells");
+  EXPECT_EQ(static_cast<double>(report.cells), report.numbers[0].second);
+}
+
 TEST(Peel, SoundPaintHolds) {
   const Surface s = surface_of(sheet(100.0, 6, 1));
   CoatedMetal metal = painted(s, 80.0);
@@ -372,7 +384,12 @@ TEST(Operators, DescribeThemselvesAndRefuseWhatTheyDoNotKnow) {
   EXPECT_THROW(apply(metal, {s}, "erode", {{"deep", 3.0}}), InputError);
   EXPECT_THROW(apply(metal, {s}, "erode", {{"depth", -3.0}}), InputError);
   OperatorCatalogue open = catalogue;
-  EXPECT_THROW(open.add({"erode", "", {}, {}, {}, {}}), std::invalid_argument);
+  // A scene could not tell a mask from a parameter of its name.
+  OperatorEntry twice = open.find("peel");
+  twice.name = "peel again";
+  twice.masks = {"stress"};
+  EXPECT_THROW(open.add(twice), std::invalid_argument);
+  EXPECT_THROW(open.add({"erode", "", {}, {}, {}, {}, {}}), std::invalid_argument);
 }
 
 }  // namespace

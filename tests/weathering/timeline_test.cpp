@@ -102,6 +102,21 @@ TEST(Timeline, ShowsItsMomentsAsRunsThatEndThere) {
   }
 }
 
+TEST(Timeline, NumbersAreParametersAndTextsOfMasksFormulas) {
+  const Surface s = surface_of(sheet(100.0, 6, 1));
+  const auto fallen = [&](double stress, const char* where) {
+    CoatedMetal metal = make_coated_metal(s, find_material("bare-steel"));
+    const TimelineStep scratch{"scratch", {{"count", 6.0}, {"depth", 1000.0}}, ""};
+    const auto records = run(
+        s, metal,
+        {paint, scratch, {"peel", {{"stress", stress}, {"fall", 1.0}, {"where", std::string(where)}}, ""}});
+    return records.back().report.cells;
+  };
+  EXPECT_LT(fallen(2.0, "1"), fallen(3.0, "1"));
+  EXPECT_LT(fallen(3.0, "1"), fallen(4.0, "1"));
+  EXPECT_EQ(fallen(4.0, "0.5"), fallen(2.0, "1"));
+}
+
 TEST(Timeline, StopsWhenTold) {
   const Surface s = surface_of(sheet(60.0, 4, 1));
   CoatedMetal metal = make_coated_metal(s, find_material("bare-steel"));

@@ -54,19 +54,21 @@ struct OperatorEntry {
   std::vector<ParameterInfo> parameters;
   std::vector<std::string> masks;                       ///< names of the masks it takes
   std::function<double(const ParameterValues&)> years;  ///< that it takes; most take none
+  std::function<void(const ParameterValues&)> check;    ///< throws InputError for texts that mean nothing
   std::function<OperatorReport(CoatedMetal&, const OperatorSetup&, const ParameterValues&)> apply;
 };
 
 /// Operators by name. A value: whoever makes one may add to it, from outside the library too.
 class OperatorCatalogue {
  public:
-  /// Throws std::invalid_argument when the name is taken.
+  /// Throws std::invalid_argument when the name is taken, or a mask has the name of a parameter.
   void add(OperatorEntry entry);
 
   /// Adds a self-describing operator: a type with `static constexpr const char *name, *summary`, `static
   /// std::vector<std::string> masks()`, `template <typename V> void parameters(V&&)` and `OperatorReport
   /// apply(CoatedMetal&, const OperatorSetup&) const`, the same bits for any number of threads. One that
-  /// takes time has `double duration() const`, years, and shows its moments.
+  /// takes time has `double duration() const`, years, and shows its moments; one with texts of its own may
+  /// have `void check() const`.
   template <typename O>
   void add() {
     add({O::name, O::summary, describe_parameters<O>(), O::masks(),
@@ -75,6 +77,9 @@ class OperatorCatalogue {
              return with_parameters<O>(O::name, values).duration();
            else
              return 0.0;
+         },
+         []([[maybe_unused]] const ParameterValues& values) {
+           if constexpr (requires(const O& o) { o.check(); }) with_parameters<O>(O::name, values).check();
          },
          [](CoatedMetal& metal, const OperatorSetup& setup, const ParameterValues& values) {
            return with_parameters<O>(O::name, values).apply(metal, setup);
