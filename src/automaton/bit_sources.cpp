@@ -36,6 +36,10 @@ std::uint16_t bits_at(BitOf&& bit_of, const std::uint64_t* state) {
 }
 #endif
 
+std::size_t whole_blocks(std::size_t ghosts) {
+  return (ghosts + block - 1) / block * block;
+}
+
 }  // namespace
 
 bool BitSources::add_near(std::span<const std::uint32_t> sources) {
@@ -52,23 +56,21 @@ bool BitSources::add_near(std::span<const std::uint32_t> sources) {
     near_.push_back(static_cast<std::uint16_t>((window - windows.begin()) << window_bits |
                                                static_cast<std::ptrdiff_t>(source - *window)));
   }
-  near_.resize((near_.size() + block - 1) / block * block, 0);
+  near_.resize(whole_blocks(near_.size()), 0);
   windows_.insert(windows_.end(), windows.begin(), windows.end());
   return true;
 }
 
 void BitSources::add_patch(std::span<const std::uint32_t> sources) {
   Patch& patch = patches_.back();
+  const std::size_t near_begin = near_.size(), far_begin = far_.size();
   const bool near = add_near(sources);
-  if (near) {
-    const std::size_t padded = (sources.size() + block - 1) / block * block;
-    patch.source_begin = static_cast<std::uint32_t>(near_.size() - padded);
-  } else {
-    patch.source_begin = static_cast<std::uint32_t>(far_.size());
+  patch.source_begin = static_cast<std::uint32_t>(near ? near_begin : far_begin);
+  if (!near) {
     far_.insert(far_.end(), sources.begin(), sources.end());
-    far_.resize((far_.size() + block - 1) / block * block, sources.front());
+    far_.resize(whole_blocks(far_.size()), sources.front());
   }
-  const auto ghosts = static_cast<std::uint32_t>((sources.size() + block - 1) / block * block);
+  const auto ghosts = static_cast<std::uint32_t>(whole_blocks(sources.size()));
   patches_.push_back({patch.ghost_begin + ghosts, 0, static_cast<std::uint32_t>(windows_.size())});
 }
 
@@ -85,6 +87,7 @@ void BitSources::gather(std::size_t first_patch, std::size_t last_patch, const s
   for (std::size_t p = first_patch; p < last_patch; ++p) {
     const Patch &patch = patches_[p], &next = patches_[p + 1];
     const std::uint32_t count = next.ghost_begin - patch.ghost_begin;
+    if (count == 0) continue;
     unsigned char* to = out + patch.ghost_begin / 8;
     const auto put = [&](std::uint32_t k, std::uint16_t bits) {
       std::memcpy(to + k / 8, &bits, sizeof bits);

@@ -5,6 +5,7 @@
 
 #include "verdigris/base/error.hpp"
 #include "verdigris/base/large_memory.hpp"
+#include "verdigris/surface/ghost_values.hpp"
 
 namespace verdigris {
 
@@ -31,19 +32,11 @@ struct PackedSurface::Builder {
 
   PackedSurface& packed;
   const Surface& surface;
-  std::vector<std::uint32_t> source_of = sources_by_slot(surface);
+  std::vector<std::uint32_t> source_of = ghost_sources(surface, no_source);
   std::vector<Word> words = {};               // of the patch being laid out
   std::vector<std::uint32_t> source_at = {};  // [bit] of the patch: bit of the state that a ghost copies
   std::vector<std::uint32_t> stream = {};     // the sources of its ghosts in the order of gathering
   std::vector<OddRun> odd = {};               // of the group being made
-
-  static std::vector<std::uint32_t> sources_by_slot(const Surface& surface) {
-    std::vector<std::uint32_t> source_of(surface.slot_count(), no_source);
-    surface.links().for_each([&](std::uint32_t source, auto targets) {
-      for (const std::uint32_t ghost : targets) source_of[ghost] = source;
-    });
-    return source_of;
-  }
 
   // The word columns of a patch; returns how many words they have.
   std::uint64_t add_columns(std::size_t p) {
@@ -96,11 +89,10 @@ struct PackedSurface::Builder {
           source_at[bit] = packed.bit_of(surface, source_of[slot]);
         }
       }
-      packed.owned_count_ += row.run_end - row.run_begin;
     }
     // A word without owned bits has its ghosts on the left.
     for (Word& word : words)
-      if (word.owned_end == 0) word.owned_begin = word.owned_end = std::max<std::uint8_t>(word.end, 64);
+      if (word.owned_end == 0) word.owned_begin = word.owned_end = 64;
   }
 
   void add_to_stream(std::uint32_t word, Run run) {
@@ -184,6 +176,7 @@ struct PackedSurface::Builder {
 PackedSurface::PackedSurface(const Surface& surface) {
   if (surface.link_kind() != LinkKind::unfolded)
     throw std::invalid_argument("packed cells need unfolded links");
+  owned_count_ = surface.owned_count();
   Builder builder{*this, surface};
   const auto count = static_cast<std::uint32_t>(surface.patch_count());
   patches_.reserve(count + 1);

@@ -9,6 +9,7 @@
 
 #include "corrosion_start.hpp"
 #include "verdigris/base/error.hpp"
+#include "verdigris/surface/owned_cells.hpp"
 
 namespace verdigris {
 
@@ -16,14 +17,6 @@ namespace {
 
 using Word = CorrosionRule::State;
 constexpr std::uint32_t sowing_purpose = 0x434f5203;
-
-template <typename Visit>
-void for_owned(const Surface& surface, Visit&& visit) {
-  for (std::uint32_t row = 0; row < surface.rows().size(); ++row) {
-    const SlotRun run = surface.owned(row);
-    for (std::uint32_t slot = run.begin; slot < run.end; ++slot) visit(slot);
-  }
-}
 
 }  // namespace
 
@@ -65,7 +58,7 @@ void CorrosionGrowth::count_all() {
   births_.assign(steps() + 1, 0);
   births_at_rate_.assign(rate_.empty() ? 0 : 256, {});
   seedable_ = 0;
-  for_owned(surface_, [&](std::uint32_t slot) {
+  each_owned(surface_, [&](std::uint32_t slot) {
     const Word word = words()[slot];
     if (CorrosionRule::corroded(word)) count_birth(slot, word);
     seedable_ += may_seed(slot, word);

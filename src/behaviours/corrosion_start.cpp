@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "verdigris/base/error.hpp"
+#include "verdigris/base/large_memory.hpp"
 #include "verdigris/surface/ghost_values.hpp"
 
 namespace verdigris::corrosion {
@@ -92,7 +93,7 @@ Field<Word> first_state(const SimulationSetup& setup, const CorrosionParameters&
   const Field<float>* mask = checked_mask(setup, "strong");
   const bool ranked = mask != nullptr && parameters.strong_by == "highest";
   const float least = ranked ? least_of_highest(surface, *mask, parameters.strong) : 0.0f;
-  Field<Word> state(surface.slot_count(), rule.outside());
+  Field<Word> state = large_vector(surface.slot_count(), Word{rule.outside()});
   for_cells(surface, [&](const Row&, std::uint32_t slot) {
     if (!setup.barrier.empty() && setup.barrier[slot] != 0) return;
     const double chance = mask != nullptr ? double{(*mask)[slot]} : parameters.strong;

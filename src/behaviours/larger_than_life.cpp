@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "verdigris/base/large_memory.hpp"
+
 namespace verdigris {
 
 // A patch with its halo, as sums of live cells from the left end of each row on: the count between two
@@ -18,9 +20,18 @@ struct LargerThanLife::Room {
   std::vector<std::uint16_t> sums, counts;
 };
 
+struct LargerThanLife::Rooms {
+  tbb::enumerable_thread_specific<Room> of_thread;
+};
+
 LargerThanLife::LargerThanLife(const Halo& halo, RangeRule rule, Field<std::uint8_t> alive,
                                std::uint64_t steps)
-    : halo_(&halo), rule_(std::move(rule)), state_(std::move(alive)), next_(state_), steps_(steps) {
+    : halo_(&halo),
+      rule_(std::move(rule)),
+      state_(std::move(alive)),
+      next_(large_copy(state_)),
+      steps_(steps),
+      rooms_(std::make_shared<Rooms>()) {
   if (halo.reach() != rule_.range) throw std::invalid_argument("the halo is of another range than the rule");
 }
 
@@ -80,11 +91,13 @@ std::uint64_t LargerThanLife::advance(std::size_t patch, Room& room) {
 }
 
 std::uint64_t LargerThanLife::step() {
-  tbb::enumerable_thread_specific<Room> rooms;
+  const std::size_t patches = halo_->surface().patch_count();
+  // Some 20,000 cells a task.
+  const std::size_t grain = std::clamp<std::size_t>(20000 * patches / (state_.size() + 1), 1, 16);
   const std::uint64_t changed = tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, halo_->surface().patch_count(), 16), std::uint64_t{0},
+      tbb::blocked_range<std::size_t>(0, patches, grain), std::uint64_t{0},
       [&](const tbb::blocked_range<std::size_t>& range, std::uint64_t sum) {
-        Room& room = rooms.local();
+        Room& room = rooms_->of_thread.local();
         for (std::size_t patch = range.begin(); patch < range.end(); ++patch) sum += advance(patch, room);
         return sum;
       },

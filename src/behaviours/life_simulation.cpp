@@ -69,11 +69,9 @@ class PackedSimulation final : public LifeSimulation {
   PackedSimulation(const SimulationSetup& setup, const LifeRule& rule, double density)
       : LifeSimulation(setup.surface), cells_(setup.surface), life_(cells_, rule) {
     const Field<std::uint8_t> alive = first_generation(setup, density);
-    std::vector<std::uint64_t> state = life_.state();
     for_owned([&](std::uint32_t slot, std::uint32_t bit) {
-      if (alive[slot] != 0) state[bit >> 6] |= std::uint64_t{1} << (bit & 63);
+      if (alive[slot] != 0) life_.set(bit, true);
     });
-    life_.restore(std::move(state), 0);
   }
   std::uint64_t steps() const override { return life_.steps(); }
   std::size_t bytes() const override { return cells_.bytes() + life_.bytes(); }

@@ -160,11 +160,27 @@ std::uint64_t evolve(const PackedSurface& cells, std::size_t patch, const Table&
 
 }  // namespace
 
+namespace {
+
+std::uint64_t ones_of(std::span<const std::uint64_t> words) {
+  std::uint64_t ones = 0;
+  for (const std::uint64_t word : words) ones += static_cast<std::uint64_t>(std::popcount(word));
+  return ones;
+}
+
+}  // namespace
+
+struct PackedLife::Rooms {
+  explicit Rooms(std::size_t words) : of_thread([words] { return WordRoom(words); }) {}
+  tbb::enumerable_thread_specific<WordRoom> of_thread;
+};
+
 PackedLife::PackedLife(const PackedSurface& cells, const LifeRule& rule)
     : cells_(cells),
       rule_(rule),
       state_(large_vector(cells.word_count() + 8, std::uint64_t{0})),
-      ghosts_(large_vector(cells.sources().begin(cells.patch_count()) / 64 + 3, std::uint64_t{0})) {}
+      ghosts_(large_vector(cells.sources().begin(cells.patch_count()) / 64 + 3, std::uint64_t{0})),
+      rooms_(std::make_shared<Rooms>(cells.copy_words())) {}
 
 void PackedLife::set(std::uint32_t bit, bool alive) {
   const std::uint64_t one = std::uint64_t{1} << (bit & 63);
@@ -189,27 +205,31 @@ void PackedLife::fill(double density, std::uint64_t seed) {
   });
 }
 
-void PackedLife::restore(std::vector<std::uint64_t> state, std::uint64_t steps) {
+void PackedLife::restore(std::span<const std::uint64_t> state, std::uint64_t steps) {
   // Nothing may live where no cell is owned.
-  std::vector<std::uint64_t> beyond = state;
-  bool good = state.size() == state_.size();
-  for (std::size_t patch = 0; good && patch < cells_.patch_count(); ++patch)
-    cells_.for_owned_words(patch, [&](std::uint32_t word, std::uint64_t owned) { beyond[word] &= ~owned; });
-  good = good && std::all_of(beyond.begin(), beyond.end(), [](std::uint64_t word) { return word == 0; });
-  if (!good) throw InputError("cells", "they are not of this surface", "start again without this checkpoint");
-  state_ = std::move(state);
+  std::uint64_t alive = 0, owned_alive = 0;
+  const bool fits = state.size() == state_.size();
+  if (fits) {
+    alive = ones_of(state);
+    for (std::size_t patch = 0; patch < cells_.patch_count(); ++patch)
+      cells_.for_owned_words(patch, [&](std::uint32_t word, std::uint64_t owned) {
+        owned_alive += static_cast<std::uint64_t>(std::popcount(state[word] & owned));
+      });
+  }
+  if (!fits || alive != owned_alive)
+    throw InputError("cells", "they are not of this surface", "start again without this checkpoint");
+  std::copy(state.begin(), state.end(), state_.begin());
   steps_ = steps;
 }
 
 std::uint64_t PackedLife::population() const {
-  std::uint64_t alive = 0;
-  for (const std::uint64_t word : state_) alive += static_cast<std::uint64_t>(std::popcount(word));
-  return alive;
+  return ones_of(state_);
 }
 
 std::uint64_t PackedLife::step() {
   const std::size_t patches = cells_.patch_count();
-  constexpr std::size_t grain = 64;
+  // Some 4096 words a task: patches are small by the hundreds of thousands, or huge by the dozen.
+  const std::size_t grain = std::clamp<std::size_t>(4096 * patches / cells_.word_count(), 1, 64);
   // Tasks of whole words of ghost bits would be finer than need be: each writes 16 bits at a time of its own.
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, patches, grain),
                     [&](const tbb::blocked_range<std::size_t>& range) {
@@ -222,11 +242,10 @@ std::uint64_t PackedLife::step() {
     copy_with_ghosts(cells_, patch, state, stream + cells_.sources().begin(patch) / 8, copy);
     return evolve<neighbourhood>(cells_, patch, table, copy, state);
   };
-  tbb::enumerable_thread_specific<WordRoom> room([&] { return WordRoom(cells_.copy_words()); });
   const std::uint64_t changed = tbb::parallel_reduce(
       tbb::blocked_range<std::size_t>(0, patches, grain), std::uint64_t{0},
       [&](const tbb::blocked_range<std::size_t>& range, std::uint64_t sum) {
-        std::uint64_t* copy = room.local().words();
+        std::uint64_t* copy = rooms_->of_thread.local().words();
         for (std::size_t patch = range.begin(); patch < range.end(); ++patch)
           sum += rule_.neighbourhood == LifeNeighbourhood::moore
                      ? advance.operator()<LifeNeighbourhood::moore>(patch, copy)

@@ -139,7 +139,7 @@ inline Rows ones_in(Rows rows) {
 // Words of one thread, beginning where a vector may.
 class WordRoom {
  public:
-  explicit WordRoom(std::size_t words) : eights_((words + 7) / 8) {}
+  explicit WordRoom(std::size_t words) : eights_(words / 8 + 1) {}
   std::uint64_t* words() { return eights_.data()->word; }
 
  private:

@@ -33,12 +33,8 @@ class Growth {
       : surface_(surface),
         most_(most),
         unfolding_(surface.frames(), surface.adjacency(), surface.barred_edges()),
-        owner_(surface.slot_count(), none),
-        reached_(surface.slot_count()) {
-    surface.links().for_each([&](std::uint32_t source, std::span<const std::uint32_t> targets) {
-      for (const std::uint32_t target : targets) owner_[target] = source;
-    });
-  }
+        owner_(ghost_sources(surface, none)),
+        reached_(surface.slot_count()) {}
 
   // A point of the line, in space, at the cell nearest to it.
   void start(std::uint32_t slot, glm::dvec3 point) {

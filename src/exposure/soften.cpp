@@ -13,6 +13,8 @@ void soften(const Surface& surface, Field<float>& field, int passes) {
   Field<float> known(field.size(), std::numeric_limits<float>::quiet_NaN());
   each_cell(surface, [&](std::size_t, std::uint32_t slot, glm::dvec2) { known[slot] = field[slot]; });
   for (int pass = 0; pass < passes; ++pass) {
+    if (pass > 0)
+      each_cell(surface, [&](std::size_t, std::uint32_t slot, glm::dvec2) { known[slot] = field[slot]; });
     copy_to_ghosts(surface, known);
     tbb::parallel_for(std::size_t{0}, surface.patch_count(), [&](std::size_t patch) {
       for (std::uint32_t r = surface.row_begin(patch); r < surface.row_end(patch); ++r) {
@@ -34,7 +36,6 @@ void soften(const Surface& surface, Field<float>& field, int passes) {
         }
       }
     });
-    each_cell(surface, [&](std::size_t, std::uint32_t slot, glm::dvec2) { known[slot] = field[slot]; });
   }
   copy_to_ghosts(surface, field);
 }

@@ -41,9 +41,11 @@ Field<float> field_on_surface(const Surface& surface, const ScalarField& field,
   const double footprint = into.factor * surface.cell_size();
   Field<float> values(surface.slot_count(), 0.0f);
   // Cells of many triangles are taken together: small ones have a few each, and a field works on batches.
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, surface.patch_count(), 64),
+  constexpr std::size_t batch = 4096;
+  const std::size_t grain = std::clamp<std::size_t>(
+      batch * surface.patch_count() / std::max<std::size_t>(1, surface.slot_count()), 1, 64);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, surface.patch_count(), grain),
                     [&](const tbb::blocked_range<std::size_t>& patches) {
-                      constexpr std::size_t batch = 4096;
                       std::vector<double> x, y, z;
                       std::vector<std::uint32_t> slots;
                       std::vector<float> found;

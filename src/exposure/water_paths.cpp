@@ -13,6 +13,7 @@
 #include "ray_scene.hpp"
 #include "verdigris/base/error.hpp"
 #include "verdigris/exposure/water.hpp"
+#include "verdigris/surface/ghost_values.hpp"
 #include "verdigris/surface/surface_point.hpp"
 #include "verdigris/synthesis/fractal_noise.hpp"
 
@@ -75,11 +76,8 @@ class PathMaker {
         up_(up),
         descent_(surface, up),
         scene_(surface.mesh()),
-        owner_(surface.slot_count(), no_slot),
+        owner_(ghost_sources(surface, no_slot)),
         height_(surface.slot_count(), 0.0) {
-    surface.links().for_each([&](std::uint32_t source, std::span<const std::uint32_t> targets) {
-      for (const std::uint32_t target : targets) owner_[target] = source;
-    });
     drip_length_ = settings.drip_length > 0.0 ? settings.drip_length : 0.05 * scene_.diagonal();
   }
 

@@ -10,6 +10,7 @@
 #include "embedded_materials.hpp"
 #include "file_bytes.hpp"
 #include "verdigris/base/error.hpp"
+#include "verdigris/base/hex_colour.hpp"
 
 namespace verdigris {
 
@@ -80,13 +81,9 @@ class Table {
   glm::vec3 colour(const char* key) const {
     const toml::node* node = find(key);
     if (node == nullptr) missing(key, "write \"#rrggbb\"");
-    const std::string text = node->is_string() ? node->as_string()->get() : std::string();
-    const bool hex = text.size() == 7 && text[0] == '#' &&
-                     text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
-    if (!hex) fail(*node, fmt::format("{}.{} is not a colour", name_, key), "write \"#rrggbb\"");
-    const unsigned long value = std::stoul(text.substr(1), nullptr, 16);
-    return {static_cast<float>(value >> 16) / 255.0f, static_cast<float>(value >> 8 & 255u) / 255.0f,
-            static_cast<float>(value & 255u) / 255.0f};
+    const auto colour = hex_colour(node->is_string() ? node->as_string()->get() : std::string());
+    if (!colour) fail(*node, fmt::format("{}.{} is not a colour", name_, key), "write \"#rrggbb\"");
+    return *colour;
   }
   Table table(const char* key) const {
     const toml::node* node = find(key);

@@ -63,16 +63,14 @@ CameraPath::CameraPath(const Mesh& mesh, std::vector<CameraKey> keys, double tur
     poses_.push_back(pose);
   }
   radius_ = 0.5 * glm::distance(bounds.lower, bounds.upper);
-  if (keys.size() == 1 && turn == 0.0 && keys[0].zoom == 1.0 && !keys[0].target) {
-    still_ = frame_mesh(mesh, keys[0].direction, settings);
-    return;
-  }
+  still_ = frame_mesh(mesh, keys[0].direction, settings);
+  framed_ = !moves() && keys[0].zoom == 1.0 && !keys[0].target;
+  if (framed_) return;
   // The farthest that any view on the way needs for the whole model around its middle.
-  const Camera sample = frame_mesh(mesh, keys[0].direction, settings);
   const double inner = 1.0 - 2.0 * std::clamp(settings.margin, 0.0, 0.45);
-  const double ty = sample.tangent * inner, tx = ty * settings.width / settings.height;
+  const double ty = still_.tangent * inner, tx = ty * settings.width / settings.height;
   for (const glm::dvec3& direction : directions_on_the_way()) {
-    const Camera camera(direction, settings.up == UpAxis::y ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1));
+    const Camera camera = turned_to(direction);
     for (const glm::dvec3& position : mesh.positions) {
       const glm::dvec3 p = position - middle_;
       const double z = glm::dot(p, camera.backward());
@@ -125,14 +123,18 @@ glm::dvec3 CameraPath::direction_of(const Pose& pose) const {
   return settings_.up == UpAxis::y ? v : glm::dvec3(v.x, -v.z, v.y);
 }
 
+Camera CameraPath::turned_to(glm::dvec3 direction) const {
+  Camera camera(direction, settings_.up == UpAxis::y ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1));
+  camera.width = still_.width;
+  camera.height = still_.height;
+  camera.tangent = still_.tangent;
+  return camera;
+}
+
 Camera CameraPath::at(double share) const {
-  if (still_) return *still_;
+  if (framed_) return still_;
   const Pose pose = pose_at(std::clamp(share, 0.0, 1.0));
-  Camera camera(direction_of(pose), settings_.up == UpAxis::y ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1));
-  camera.width = settings_.width;
-  camera.height = settings_.height;
-  camera.tangent = std::tan(settings_.field_of_view * std::numbers::pi / 360.0) * settings_.height /
-                   std::max(settings_.width, settings_.height);
+  Camera camera = turned_to(direction_of(pose));
   camera.eye = pose.target + distance_ * std::exp(-pose.nearness) * camera.backward();
   const double depth = glm::dot(camera.eye - middle_, camera.backward());
   camera.near = std::max(depth - 1.02 * radius_, 1e-3 * radius_);

@@ -1,13 +1,11 @@
 #include "verdigris/picture/coat_picture.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "verdigris/picture/patina.hpp"
 #include "verdigris/surface/ghost_values.hpp"
+#include "verdigris/surface/owned_cells.hpp"
 
 namespace verdigris {
 
@@ -20,18 +18,6 @@ struct Drawn {
   std::vector<float> depth;  // [slot] optical
   double seen = 0.0;         // sum of 1 - e^-depth
 };
-
-template <typename Visit>
-void for_owned(const Surface& surface, Visit&& visit) {
-  const auto rows = static_cast<std::uint32_t>(surface.rows().size());
-  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, rows, 256),
-                    [&](const tbb::blocked_range<std::uint32_t>& range) {
-                      for (std::uint32_t row = range.begin(); row < range.end(); ++row) {
-                        const SlotRun run = surface.owned(row);
-                        for (std::uint32_t slot = run.begin; slot < run.end; ++slot) visit(slot);
-                      }
-                    });
-}
 
 bool alike(const Coat& a, const Coat& b) {
   const Finish &x = a.layer.finish, &y = b.layer.finish;

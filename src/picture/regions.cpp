@@ -88,6 +88,7 @@ std::vector<Rgba8> colour_labels(const Surface& surface, std::span<const std::in
       colours[slot] = (edge ? shaded : colour_of_label)[static_cast<std::size_t>(label)];
     }
   });
+  // With projected links too, unlike copy_to_ghosts: a pair is of one region.
   surface.links().for_each([&](std::uint32_t source, std::span<const std::uint32_t> targets) {
     for (const std::uint32_t target : targets) colours[target] = colours[source];
   });

@@ -194,8 +194,7 @@ class SurfaceBuilder {
     surface_.slot_count_ = slots;
     surface_.owned_count_ = owned;
 
-    reserve_large(surface_.rows_, rows + 2);
-    surface_.rows_.resize(rows + 2);
+    surface_.rows_ = large_vector(rows + 2, Row{});
     if (projected_) surface_.comp_in_.resize(rows);
     for_patches([&](std::size_t patch) {
       std::uint32_t slot = slot_begin[patch], row = surface_.row_begin_[patch];
@@ -305,7 +304,8 @@ SurfaceEstimate estimate_surface(const Mesh& mesh, double cell_size) {
     rows += share * (cy + 2.0);
   }
   total.slots = total.cells + ghosts;
-  total.bytes = 16.0 * rows + 8.0 * ghosts + 0.25 * total.slots +
+  // Links take a target and a bit a ghost; marks, ranks and row hints 5/16 of a byte a slot.
+  total.bytes = 16.0 * rows + 4.125 * ghosts + 0.3125 * total.slots +
                 static_cast<double>(mesh.triangles.size()) * static_cast<double>(sizeof(Frame) + 4);
   // At its end a run holds states, labels and arrivals, 12 bytes a slot, and a mark; while it is built, a
   // surface holds its links thrice over.

@@ -1,7 +1,5 @@
 // Years of weather: corrosion spreads where the metal is bare or its coat thin, and grows by the material's
 // laws.
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -189,10 +187,14 @@ struct Age {
       run.step();
       ++done;
       // A moment between two steps is that of the second.
-      for (; moment < setup.moments.size() &&
-             setup.moments[moment] * static_cast<double>(steps) <= static_cast<double>(done);
-           ++moment)
-        show(metal, setup, moment, times());
+      const auto due = [&] {
+        return moment < setup.moments.size() &&
+               setup.moments[moment] * static_cast<double>(steps) <= static_cast<double>(done);
+      };
+      if (due()) {
+        const Field<float> now = times();
+        for (; due(); ++moment) show(metal, setup, moment, now);
+      }
       if (!setup.go_on(static_cast<double>(done) / static_cast<double>(steps))) {
         report.complete = false;
         report.years = static_cast<double>(done) * step_years;

@@ -10,8 +10,6 @@
 
 namespace verdigris {
 
-using weathering::each_owned;
-
 CoatedMetal make_coated_metal(const Surface& surface, const Material& material) {
   if (surface.link_kind() != LinkKind::unfolded)
     throw InputError("links", "weathering needs cells that see over edges", "use unfolded links");

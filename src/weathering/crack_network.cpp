@@ -18,7 +18,6 @@
 namespace verdigris {
 
 using weathering::around;
-using weathering::each_owned;
 using weathering::LineWalk;
 
 namespace {

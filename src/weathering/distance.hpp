@@ -11,6 +11,7 @@
 
 #include "cells.hpp"
 #include "verdigris/automaton/behaviour.hpp"
+#include "verdigris/surface/ghost_values.hpp"
 
 namespace verdigris::weathering {
 
@@ -19,11 +20,8 @@ inline constexpr std::uint32_t no_owner = 0xFFFFFFFFu;
 
 /// [slot] the owned cell that it is or, for a ghost, shows.
 inline std::vector<std::uint32_t> owners_of(const Surface& surface) {
-  std::vector<std::uint32_t> owners(surface.slot_count(), no_owner);
+  std::vector<std::uint32_t> owners = ghost_sources(surface, no_owner);
   each_owned(surface, [&](std::uint32_t slot) { owners[slot] = slot; });
-  surface.links().for_each([&](std::uint32_t source, auto ghosts) {
-    for (const std::uint32_t ghost : ghosts) owners[ghost] = source;
-  });
   return owners;
 }
 

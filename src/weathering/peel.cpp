@@ -96,8 +96,10 @@ struct Peel {
                                                                 : DelaminationRule::bonded;
     });
     Simulation<DelaminationRule> run(surface, DelaminationRule{pull, tough}, std::move(state), setup.seed);
-    for (std::uint64_t k = 0; k < steps && !run.finished(); ++k) {
-      if (run.step().changed == 0) break;
+    // A cell that can go stays with a chance of a half: many steps without a change are the end.
+    int still = 0;
+    for (std::uint64_t k = 0; k < steps && still < 32 && !run.finished(); ++k) {
+      still = run.step().changed == 0 ? still + 1 : 0;
       if (setup.go_on(static_cast<double>(k) / static_cast<double>(steps))) continue;
       report.complete = false;
       break;

@@ -99,7 +99,7 @@ TEST(Checkpoint, VoronoiGrowthGoesOn) {
         SimulationSetup setup{s, 11, {}, {}};
         if (uneven) {
           setup.barrier.assign(s.slot_count(), 0);
-          for_owned(s, [&](std::uint32_t slot) {
+          each_owned(s, [&](std::uint32_t slot) {
             setup.barrier[slot] = CellRandom(1, 2, slot).words(3)[0] < threshold(0.1);
           });
         }
@@ -135,7 +135,7 @@ TEST(Checkpoint, CorrosionGoesOn) {
     SimulationSetup setup{s, 11, random_seeds(s, 3, 5)};
     for (const char* name : {"attack", "rate", "seeding"}) {
       setup.masks.push_back({name, Field<float>(s.slot_count())});
-      for_owned(s, [&](std::uint32_t slot) {
+      each_owned(s, [&](std::uint32_t slot) {
         setup.masks.back().values[slot] =
             static_cast<float>(CellRandom(setup.masks.size(), 2, slot).words(3)[0] >> 8) / 16777216.0f;
       });
@@ -157,7 +157,7 @@ TEST(LongCheckpoint, WordsThatWiden) {
       {{0, 0, 0}, {10000, 0, 0}, {10000, 120, 0}, {0, 120, 0}}, {{0, 1, 2}, {0, 2, 3}}, {}, {}, {}, {}};
   const Surface s = make_surface(strip, {.cell_size = 1.0});
   SimulationSetup setup{s, 3, {}, {}};
-  for_owned(s, [&](std::uint32_t slot) {
+  each_owned(s, [&](std::uint32_t slot) {
     if (s.position(slot).x < 4400.0) setup.seeds.push_back({slot, 1.0});
   });
   VoronoiGrowth straight(setup, {});

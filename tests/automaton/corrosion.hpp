@@ -31,7 +31,7 @@ inline Field<int> attacks_by(const Surface& s, const Field<Word>& words) {
 inline Field<Word> corrosion_start(const Surface& s, const CorrosionRule& rule, double strong,
                                    std::size_t seeds, std::uint64_t seed) {
   Field<Word> state(s.slot_count(), rule.outside());
-  for_owned(s, [&](std::uint32_t slot) {
+  each_owned(s, [&](std::uint32_t slot) {
     state[slot] = CorrosionRule::sound_word(CellRandom(seed, 0, slot).words(1)[0] < threshold(strong));
   });
   for (const Seed& at : random_seeds(s, seeds, seed))
@@ -39,7 +39,7 @@ inline Field<Word> corrosion_start(const Surface& s, const CorrosionRule& rule, 
   // A sweep that makes step 0: nothing attacks yet.
   SweepStepper<CorrosionRule> sweep(s, rule, state, seed);
   sweep.step();
-  for_owned(s, [&](std::uint32_t slot) {
+  each_owned(s, [&](std::uint32_t slot) {
     if (CorrosionRule::sound(state[slot])) state[slot] = sweep.state()[slot];
   });
   return state;

@@ -25,7 +25,7 @@ void finish(CorrosionGrowth& growth) {
 
 Mask mask(const Surface& s, const char* name, const std::function<double(glm::dvec3)>& value) {
   Mask made{name, Field<float>(s.slot_count(), 0.0f)};
-  for_owned(s, [&](std::uint32_t slot) { made.values[slot] = static_cast<float>(value(s.position(slot))); });
+  each_owned(s, [&](std::uint32_t slot) { made.values[slot] = static_cast<float>(value(s.position(slot))); });
   return made;
 }
 
@@ -66,7 +66,7 @@ TEST(CorrosionGrowth, ThicknessIsThatOfAppendix1) {
     const auto state = growth.field("state"), age = growth.field("age");
     const auto metal = growth.real_field("metal"), oxide = growth.real_field("oxide"),
                depth = growth.real_field("depth");
-    for_owned(s, [&](std::uint32_t slot) {
+    each_owned(s, [&](std::uint32_t slot) {
       if (age[slot] == 0) cells[slot].corroded = true;
       const Reference& cell = cells[slot];
       ASSERT_EQ(state[slot], !cell.exists ? 2 : cell.corroded ? 1 : 0) << step;
@@ -94,7 +94,7 @@ double chi_square_of_starts(const Surface& s, const Mask& mask, bool known, std:
   const Field<std::int32_t> ages = growth.ages();
   std::array<double, 10> starts{}, expected{};
   double all_starts = 0.0, all_expected = 0.0;
-  for_owned(s, [&](std::uint32_t slot) {
+  each_owned(s, [&](std::uint32_t slot) {
     const auto value = static_cast<double>(mask.values[slot]);
     const auto bin = std::min<std::size_t>(9, static_cast<std::size_t>(10.0 * value));
     expected[bin] += value, all_expected += value;  // cells are of one area
@@ -162,7 +162,7 @@ TEST(CorrosionGrowth, AStrongRingStopsWhatIsNotStronger) {
       // A cell at its rim has three to six strong neighbours: 0.6 and their help is overcome, 0.95 is not.
       const bool holds = own == 1.0 || (support > 0.0 && own == 0.95);
       const auto age = growth.ages();
-      for_owned(s, [&](std::uint32_t slot) {
+      each_owned(s, [&](std::uint32_t slot) {
         if (radius(slot) < 17.0) {
           EXPECT_GE(age[slot], 0);
         }
@@ -193,7 +193,7 @@ TEST(CorrosionGrowth, SeedsComeAtTheirRateUpToTheirNumber) {
   finish(half);
   EXPECT_EQ(half.seeds_placed(), 50u);
   const auto age = half.ages();
-  for_owned(s, [&](std::uint32_t slot) { EXPECT_TRUE(age[slot] < 0 || s.position(slot).x > 0.0); });
+  each_owned(s, [&](std::uint32_t slot) { EXPECT_TRUE(age[slot] < 0 || s.position(slot).x > 0.0); });
 }
 
 TEST(CorrosionGrowth, StrongCellsAreThoseOfTheMask) {
@@ -205,7 +205,7 @@ TEST(CorrosionGrowth, StrongCellsAreThoseOfTheMask) {
   p.strong_by = "highest";
   const auto strong = CorrosionGrowth(setup, p).field("strong");
   double share = 0.0, lowest = 1e9, highest_weak = -1e9;
-  for_owned(s, [&](std::uint32_t slot) {
+  each_owned(s, [&](std::uint32_t slot) {
     share += strong[slot] / static_cast<double>(s.owned_count());
     if (strong[slot] != 0)
       lowest = std::min(lowest, s.position(slot).x);

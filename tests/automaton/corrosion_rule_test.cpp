@@ -48,7 +48,7 @@ TEST(CorrosionRule, NeverAttacksMoreThanSeven) {
     for (int step = 0; step < 40; ++step) {
       front.step();
       const auto attacks = attacks_by(s, front.state());
-      for_owned(s, [&](std::uint32_t slot) {
+      each_owned(s, [&](std::uint32_t slot) {
         ASSERT_LE(attacks[slot], 7);
         most = std::max(most, attacks[slot]);
         const Word word = front.state()[slot];
@@ -69,7 +69,7 @@ TEST(CorrosionRule, AttacksMoreWithAge) {
   for (std::uint64_t step = 1; step <= 14; ++step) {
     front.step();
     std::uint32_t attacked = 0;
-    for_owned(s, [&](std::uint32_t slot) {
+    each_owned(s, [&](std::uint32_t slot) {
       if (CorrosionRule::corroded(front.state()[slot]))
         attacked = static_cast<std::uint32_t>(std::popcount(front.state()[slot] & 0xFFu));
     });
@@ -92,7 +92,7 @@ TEST(CorrosionRule, PrefersSidesToCornersTwoToOne) {
   std::array<int, 8> drawn{};
   for (int step = 0; step < 400; ++step) {
     sweep.step();
-    for_owned(s, [&](std::uint32_t slot) {
+    each_owned(s, [&](std::uint32_t slot) {
       for (unsigned k = 0; k < 8; ++k) drawn[k] += static_cast<int>(sweep.state()[slot] >> k & 1u);
     });
   }
@@ -188,10 +188,10 @@ TEST(CorrosionRule, AFrontGivesTheBitsOfAFullSweep) {
         visited += b.visited;
         swept += a.visited;
         if (step % 10 == 0)
-          for_owned(s, [&](std::uint32_t slot) { ASSERT_EQ(sweep.state()[slot], front.state()[slot]); });
+          each_owned(s, [&](std::uint32_t slot) { ASSERT_EQ(sweep.state()[slot], front.state()[slot]); });
       }
       EXPECT_LT(visited, swept / 2);
-      for_owned(s, [&](std::uint32_t slot) { ASSERT_EQ(sweep.state()[slot], front.state()[slot]); });
+      each_owned(s, [&](std::uint32_t slot) { ASSERT_EQ(sweep.state()[slot], front.state()[slot]); });
     }
 }
 

@@ -28,7 +28,7 @@ TEST(CorrosionStatistics, MassLossIsTheSumOverCells) {
       SimulationSetup setup{s, 3};
       if (rates) {
         setup.masks.push_back({"rate", Field<float>(s.slot_count())});
-        for_owned(s, [&](std::uint32_t slot) {
+        each_owned(s, [&](std::uint32_t slot) {
           setup.masks[0].values[slot] = static_cast<float>(0.5 + 0.4 * s.position(slot).z);
         });
       }
@@ -48,7 +48,7 @@ TEST(CorrosionStatistics, MassLossIsTheSumOverCells) {
         const auto age = growth.ages(), state = growth.field("state");
         const auto depth = growth.real_field("depth");
         double sum = 0.0, most = 0.0, gone = 0.0;
-        for_owned(s, [&](std::uint32_t slot) {
+        each_owned(s, [&](std::uint32_t slot) {
           if (age[slot] < 0) return;
           const double rate = rates ? growth.rates()[slot] / 255.0 : 1.0;
           const double d =
@@ -83,7 +83,7 @@ TEST(CorrosionLayers, AreTheStackAtEachCellsAge) {
     const auto fields = corrosion_layers(growth, steel, ExposureClass::C4, 0.1);
     const auto age = growth.ages();
     ASSERT_EQ(fields.layers.size(), 3u);
-    for_owned(s, [&](std::uint32_t slot) {
+    each_owned(s, [&](std::uint32_t slot) {
       const Stack stack =
           stack_at(steel, ExposureClass::C4, age[slot] < 0 ? -1.0 : 0.1 * age[slot], rates ? 0.6 : 1.0);
       for (std::size_t k = 0; k < 3; ++k)
@@ -149,8 +149,8 @@ TEST(CorrosionStatistics, TablesHoldARowAStep) {
 // Spots.
 Field<SpotCell> cells_in(const Surface& s, const std::function<bool(glm::dvec3)>& in) {
   Field<SpotCell> cells(s.slot_count(), SpotCell::nothing);
-  for_owned(s,
-            [&](std::uint32_t slot) { cells[slot] = in(s.position(slot)) ? SpotCell::in : SpotCell::out; });
+  each_owned(s,
+             [&](std::uint32_t slot) { cells[slot] = in(s.position(slot)) ? SpotCell::in : SpotCell::out; });
   s.links().for_each([&](std::uint32_t source, auto ghosts) {
     for (const std::uint32_t ghost : ghosts) cells[ghost] = cells[source];
   });

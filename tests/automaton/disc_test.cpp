@@ -77,7 +77,7 @@ TEST(Disc, OtherCornerChancesAreWorse) {
     for (int t = 0; t < 40; ++t) growth.step();
     std::size_t filled = 0;
     const auto labels = growth.labels();
-    for_owned(s, [&](std::uint32_t slot) { filled += labels[slot] == 0; });
+    each_owned(s, [&](std::uint32_t slot) { filled += labels[slot] == 0; });
     return static_cast<double>(filled) / (40.0 * 40.0);
   };
   EXPECT_NEAR(share(0.0), 2.0, 0.1);

@@ -5,6 +5,7 @@
 
 #include "shapes.hpp"
 #include "verdigris/behaviours/voronoi_growth.hpp"
+#include "verdigris/surface/owned_cells.hpp"
 
 namespace growth {
 
@@ -18,12 +19,6 @@ inline VoronoiGrowth from_point(const Surface& surface, glm::dvec3 point, std::u
   SimulationSetup setup{surface, seed, {}, {}};
   setup.seeds = {{slot_at(surface, point), 1.0}};
   return VoronoiGrowth(setup, {});
-}
-
-template <typename Visit>
-void for_owned(const Surface& surface, Visit&& visit) {
-  for (std::uint32_t r = 0; r < surface.rows().size(); ++r)
-    for (std::uint32_t slot = surface.owned(r).begin; slot < surface.owned(r).end; ++slot) visit(slot);
 }
 
 }  // namespace growth

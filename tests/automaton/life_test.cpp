@@ -128,9 +128,14 @@ TEST(PackedLife, AgreesWithTheByteBehaviourOnAnySurface) {
   const struct {
     Mesh mesh;
     double cell_size;
-  } all[] = {{shapes::torus(3, 1, 30, 20), 0.03}, {shapes::cube(1), 0.004},
-             {shapes::square(1), 0.02},           {shapes::random_plane(9, 40, 2), 1.0},
-             {shapes::torus(3, 1, 90, 40), 0.07}, {shapes::torus(3, 1, 400, 3), 0.02}};
+  } all[] = {{shapes::torus(3, 1, 30, 20), 0.03},
+             {shapes::cube(1), 0.004},
+             {shapes::square(1), 0.02},
+             {shapes::random_plane(9, 40, 2), 1.0},
+             {shapes::torus(3, 1, 90, 40), 0.07},
+             {shapes::torus(3, 1, 400, 3), 0.02},
+             {shapes::torus(3, 1, 400, 200), 0.07},  // most triangles hold no cell
+             {shapes::cube(1), 10.0}};               // none does
   for (const auto& [mesh, h] : all)
     for (const char* text : {"B3/S23", "Coagulations", "B13/S024V", "B08/S0128"}) {
       const LifeRule rule = parse_life_rule(text);

@@ -33,7 +33,7 @@ Ratio arrival_over_distance(double side, LinkKind links, double radius, unsigned
     while (!growth.finished() && static_cast<double>(growth.steps()) < 1.2 * radius) growth.step();
     const auto arrivals = growth.arrivals();
     double sum = 0.0, squares = 0.0, count = 0.0;
-    for_owned(s, [&](std::uint32_t slot) {
+    each_owned(s, [&](std::uint32_t slot) {
       const double distance = glm::length(s.position(slot) - centre);
       if (distance < nearest || distance > radius || arrivals[slot] < 0) return;
       const double q = arrivals[slot] / distance;

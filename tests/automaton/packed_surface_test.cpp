@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <random>
 
 #include "shapes.hpp"
@@ -80,6 +81,13 @@ std::vector<std::uint64_t> laid_ghosts(const PackedSurface& cells, std::size_t p
   return copy;
 }
 
+Mesh two_long_slivers() {
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {300000, 0, 0}, {150000, 4.2, 0}, {150000, -4.2, 0}};
+  mesh.triangles = {{0, 1, 2}, {1, 0, 3}};
+  return mesh;
+}
+
 // Word of the copy of a patch in which word `word` of the patch stands.
 std::uint32_t in_copy(const PackedSurface& cells, std::size_t p, std::uint32_t word) {
   std::uint32_t at = 7;
@@ -99,7 +107,8 @@ TEST(PackedSurface, LaysEveryGhostBesideItsCells) {
              {shapes::cube(1), 0.004},               // several words wide, sources far away
              {shapes::square(1), 0.02},              // boundaries
              {shapes::random_plane(9, 40, 2), 1.0},  // no two frames agree
-             {shapes::torus(3, 1, 400, 3), 0.02}};   // slivers: rows with long runs of ghosts
+             {shapes::torus(3, 1, 400, 3), 0.02},    // slivers: rows with long runs of ghosts
+             {two_long_slivers(), 1.0}};             // more ghosts than a Group can tell of
   std::size_t inside = 0, groups = 0, loose = 0;
   for (const auto& [mesh, h] : all) {
     const Surface s = make_surface(mesh, {.cell_size = h});

@@ -130,7 +130,7 @@ TEST(LongStepping, WordsWidenByThemselves) {
       {{0, 0, 0}, {10000, 0, 0}, {10000, 120, 0}, {0, 120, 0}}, {{0, 1, 2}, {0, 2, 3}}, {}, {}, {}, {}};
   const Surface s = make_surface(strip, {.cell_size = 1.0});
   SimulationSetup setup{s, 3, {}, {}};
-  for_owned(s, [&](std::uint32_t slot) {
+  each_owned(s, [&](std::uint32_t slot) {
     if (s.position(slot).x < 4400.0) setup.seeds.push_back({slot, 1.0});
   });
   ASSERT_GT(setup.seeds.size(), std::size_t{1} << 19);
@@ -139,7 +139,7 @@ TEST(LongStepping, WordsWidenByThemselves) {
   while (!growth.finished()) growth.step();
   EXPECT_GT(growth.steps(), 5000u);
   const auto arrivals = growth.arrivals();
-  for_owned(s, [&](std::uint32_t slot) {
+  each_owned(s, [&](std::uint32_t slot) {
     const double x = s.position(slot).x;
     ASSERT_GE(arrivals[slot], 0);
     if (x > 4600.0) {

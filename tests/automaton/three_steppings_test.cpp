@@ -127,7 +127,7 @@ TEST(ThreeSteppings, Life) {
         [&](const Surface& s) {
           Field<std::uint8_t> state(s.slot_count(), 0);
           const glm::dvec3 middle = s.position(random_seeds(s, 1, 2)[0].slot);
-          for_owned(s, [&](std::uint32_t slot) {
+          each_owned(s, [&](std::uint32_t slot) {
             const glm::dvec3 d = s.position(slot) - middle;
             state[slot] = d.x * d.x + d.y * d.y + d.z * d.z < 64.0 * s.cell_size() * s.cell_size() &&
                           CellRandom(7, 0, slot).words(1)[0] < threshold(0.5);

@@ -20,7 +20,7 @@ TEST(Voronoi, CoversAClosedModelWithEveryLabel) {
   finish(growth);
   std::set<std::int32_t> seen;
   const auto labels = growth.labels(), arrivals = growth.arrivals();
-  for_owned(s, [&](std::uint32_t slot) {
+  each_owned(s, [&](std::uint32_t slot) {
     EXPECT_GE(labels[slot], 0);
     EXPECT_GE(arrivals[slot], 0);
     seen.insert(labels[slot]);
@@ -35,7 +35,7 @@ TEST(Voronoi, LabelsAreThoseOfTheNearestSeedOnAPlane) {
   finish(growth);
   const auto labels = growth.labels();
   std::size_t wrong = 0, cells = 0;
-  for_owned(s, [&](std::uint32_t slot) {
+  each_owned(s, [&](std::uint32_t slot) {
     std::size_t nearest = 0;
     for (std::size_t k = 1; k < seeds.size(); ++k)
       if (glm::length(s.position(slot) - s.position(seeds[k].slot)) <
@@ -72,7 +72,7 @@ TEST(Voronoi, WeightsAreSpeeds) {
   for (int t = 0; t < 100; ++t) growth.step();
   const auto labels = growth.labels();
   double cells[2] = {0.0, 0.0};
-  for_owned(s, [&](std::uint32_t slot) {
+  each_owned(s, [&](std::uint32_t slot) {
     if (labels[slot] >= 0) cells[labels[slot]] += 1.0;
   });
   EXPECT_NEAR(std::sqrt(cells[1] / cells[0]), 0.5, 0.01);
@@ -83,17 +83,17 @@ TEST(Voronoi, DoesNotCrossBarriers) {
   VoronoiGrowth on_face = from_point(cube, {0.4, 0.3, 1.0}, 1);
   finish(on_face);
   const auto labels = on_face.labels();
-  for_owned(cube, [&](std::uint32_t slot) { EXPECT_EQ(labels[slot] == 0, cube.position(slot).z > 0.999); });
+  each_owned(cube, [&](std::uint32_t slot) { EXPECT_EQ(labels[slot] == 0, cube.position(slot).z > 0.999); });
 
   const Surface plain = make_surface(shapes::plain(60), {.cell_size = 1.0});
   Field<std::uint8_t> wall(plain.slot_count(), 0);
-  for_owned(plain, [&](std::uint32_t slot) {
+  each_owned(plain, [&](std::uint32_t slot) {
     wall[slot] = std::abs(glm::length(plain.position(slot)) - 20.0) < 1.5;
   });
   VoronoiGrowth ring({plain, 1, {{slot_at(plain, {0, 0, 0}), 1.0}}, wall}, {});
   finish(ring);
   const auto inside = ring.labels();
-  for_owned(plain, [&](std::uint32_t slot) {
+  each_owned(plain, [&](std::uint32_t slot) {
     const double r = glm::length(plain.position(slot));
     if (r < 18.0) {
       EXPECT_EQ(inside[slot], 0);
@@ -113,7 +113,7 @@ TEST(Voronoi, TwoComponentsAreTwoWorlds) {
   VoronoiGrowth growth = from_point(s, {0.5, 0.5, 1.0}, 1);
   finish(growth);
   const auto labels = growth.labels();
-  for_owned(s, [&](std::uint32_t slot) { EXPECT_EQ(labels[slot] == 0, s.position(slot).x < 2.0); });
+  each_owned(s, [&](std::uint32_t slot) { EXPECT_EQ(labels[slot] == 0, s.position(slot).x < 2.0); });
 }
 
 TEST(Voronoi, RefusesSeedsThatCannotBe) {
@@ -159,7 +159,7 @@ TEST(Voronoi, FlatSurfaceHasNoBarrier) {
       VoronoiGrowth growth({s, 1, random_seeds(s, 1, 1), {}}, {});
       finish(growth);
       const auto labels = growth.labels();
-      for_owned(s, [&](std::uint32_t slot) { ASSERT_EQ(labels[slot], 0) << turn << ", " << angle; });
+      each_owned(s, [&](std::uint32_t slot) { ASSERT_EQ(labels[slot], 0) << turn << ", " << angle; });
     }
 }
 
@@ -168,7 +168,7 @@ TEST(Voronoi, WithoutCornersItStillEnds) {
   const Surface s = make_surface(shapes::plain(40), {.cell_size = 1.0});
   const std::uint32_t middle = slot_at(s, {0, 0, 0});
   Field<std::uint8_t> walls(s.slot_count(), 0);
-  for_owned(s, [&](std::uint32_t slot) {
+  each_owned(s, [&](std::uint32_t slot) {
     const CellRef c = s.cell(slot);
     walls[slot] = (c.row + c.column) % 2 == 0 && slot != middle;
   });

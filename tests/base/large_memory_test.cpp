@@ -33,8 +33,16 @@ TEST(LargeMemory, IsReadiedAgainAfterUse) {
     many.resize(std::size_t{3} << 20, 1);
     EXPECT_EQ(std::accumulate(many.begin(), many.end(), std::uint64_t{0}), many.size());
   }
-  std::vector<unsigned char> bytes(9 << 20);
-  for (const std::size_t skipped : {0, 1, 4095}) ready_memory(bytes.data() + skipped, bytes.size() - skipped);
+  // It may clear what it is given, and nothing beside that.
+  for (const std::size_t skipped : {0u, 1u, 4095u}) {
+    std::vector<unsigned char> bytes(9 << 20, 1);
+    const auto end = bytes.end() - 4096;
+    ready_memory(bytes.data() + skipped, bytes.size() - skipped - 4096);
+    const auto one = [](unsigned char b) { return b == 1; };
+    EXPECT_TRUE(std::all_of(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(skipped), one));
+    EXPECT_TRUE(std::all_of(end, bytes.end(), one));
+    EXPECT_TRUE(std::all_of(bytes.begin(), bytes.end(), [](unsigned char b) { return b <= 1; }));
+  }
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 
 #include <cstdio>
 #include <limits>
+#include <string>
+#include <utility>
 
 #include "field_digest.hpp"
 #include "samples.hpp"
@@ -65,6 +67,17 @@ TEST(NoiseBits, AreNumbersWhateverThePoints) {
                         -std::numeric_limits<double>::infinity(),
                         std::numeric_limits<double>::quiet_NaN()};
   const PrimitiveCatalogue catalogue = builtin_primitives();
+  // Fields that look up a grid fold the plane into it.
+  const std::pair<const char*, ParameterValues> grids[] = {
+      {"diamond-square", {}},
+      {"barnsley-fern", {}},
+      {"sierpinski-triangle", {{"measure", std::string("density")}}}};
+  for (const auto& [name, values] : grids) {
+    const auto field = catalogue.find(name).create(values, 1);
+    for (const double x : odd)
+      for (const double y : odd)
+        EXPECT_TRUE(std::isfinite(field->at({x, y, 0.5, 0.5}))) << name << " " << x << " " << y;
+  }
   for (const char* name :
        {"gradient", "value", "cellular", "fbm", "turbulence", "ridged", "multifractal", "hybrid", "warp"})
     for (const double period : {0.0, 1.0}) {

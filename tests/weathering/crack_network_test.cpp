@@ -17,7 +17,7 @@ using namespace sheets;
 // Fragments between cracks three cells wide.
 std::size_t fragments(const Surface& s, const CrackNetwork& network) {
   Field<SpotCell> cells(s.slot_count(), SpotCell::nothing);
-  for_owned(s, [&](std::uint32_t slot) {
+  each_owned(s, [&](std::uint32_t slot) {
     cells[slot] = network.distance[slot] > 1.5f ? SpotCell::in : SpotCell::out;
   });
   s.links().for_each([&](std::uint32_t source, auto ghosts) {
@@ -81,7 +81,7 @@ TEST(CrackNetwork, NothingCracksWithoutStrainAndMoreWhereThereIsMore) {
   const Surface s = surface_of(sheet(300.0, 6, 1));
   Field<float> strain(s.slot_count(), 0.0f);
   EXPECT_EQ(grow_cracks(s, {.spacing = 20.0}, strain).cracks, 0u);
-  for_owned(s, [&](std::uint32_t slot) { strain[slot] = s.position(slot).x < 150.0 ? 1.0f : 0.4f; });
+  each_owned(s, [&](std::uint32_t slot) { strain[slot] = s.position(slot).x < 150.0 ? 1.0f : 0.4f; });
   const CrackNetwork n = grow_cracks(s, {.spacing = 20.0}, strain);
   std::size_t left = 0;
   for (const std::uint32_t slot : n.cells) left += s.position(slot).x < 150.0;

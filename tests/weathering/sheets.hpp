@@ -6,6 +6,7 @@
 
 #include "shapes.hpp"
 #include "verdigris/io/read_material.hpp"
+#include "verdigris/surface/owned_cells.hpp"
 #include "verdigris/weathering/operators.hpp"
 
 namespace sheets {
@@ -31,12 +32,6 @@ inline Surface surface_of(Mesh mesh, double cell = 1.0) {
   return make_surface(std::move(mesh), {.cell_size = cell});
 }
 
-template <typename Visit>
-void for_owned(const Surface& s, Visit&& visit) {
-  for (std::uint32_t row = 0; row < s.rows().size(); ++row)
-    for (std::uint32_t slot = s.owned(row).begin; slot < s.owned(row).end; ++slot) visit(slot);
-}
-
 /// Applies one operator, ghosts made as operators expect them.
 inline OperatorReport apply(CoatedMetal& metal, const OperatorSetup& setup, const char* name,
                             const ParameterValues& values = {}) {
@@ -47,7 +42,7 @@ inline OperatorReport apply(CoatedMetal& metal, const OperatorSetup& setup, cons
 
 inline double total(const Surface& s, const Field<float>& field) {
   double sum = 0.0;
-  for_owned(s, [&](std::uint32_t slot) { sum += static_cast<double>(field[slot]); });
+  each_owned(s, [&](std::uint32_t slot) { sum += static_cast<double>(field[slot]); });
   return sum;
 }
 

@@ -9,7 +9,6 @@
 #include <bit>
 #include <cstddef>
 #include <functional>
-#include <utility>
 #include <vector>
 
 #include "verdigris/automaton/behaviour.hpp"

@@ -1,6 +1,9 @@
 #pragma once
 // How a state comes from its owner to its ghosts.
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -37,17 +40,18 @@ class GhostCarrier {
     }
   }
 
-  /// The ghosts of sources among slots 64 * first_word ... 64 * last_word - 1.
-  void refresh_between(const B& behaviour, Field<State>& state, std::size_t first_word,
-                       std::size_t last_word) const {
-    surface_.links().for_each_between(first_word, last_word, [&](std::uint32_t source, auto ghosts) {
-      carry(behaviour, ghosts, state[source],
-            [&](std::uint32_t ghost, State shown) { state[ghost] = shown; });
-    });
-  }
+  /// All ghosts, in parallel by their sources.
   void refresh(const B& behaviour, Field<State>& state) const {
-    if (surface_.link_kind() == LinkKind::unfolded)
-      refresh_between(behaviour, state, 0, surface_.links().word_count());
+    if (surface_.link_kind() != LinkKind::unfolded) return;
+    const Links& links = surface_.links();
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, links.word_count(), 1024),
+                      [&](const tbb::blocked_range<std::size_t>& range) {
+                        links.for_each_between(
+                            range.begin(), range.end(), [&](std::uint32_t source, auto ghosts) {
+                              carry(behaviour, ghosts, state[source],
+                                    [&](std::uint32_t ghost, State shown) { state[ghost] = shown; });
+                            });
+                      });
   }
 
   std::size_t bytes() const { return turns_.size(); }

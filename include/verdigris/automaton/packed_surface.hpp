@@ -30,7 +30,7 @@ class PackedSurface {
   explicit PackedSurface(const Surface& surface);
 
   struct Patch {
-    std::uint32_t word_begin;    ///< first of its words, in all word arrays
+    std::uint32_t word_begin;    ///< first of its words in the state
     std::uint32_t column_begin;  ///< first of its word columns
     std::uint32_t group_begin;   ///< first of its groups
     std::uint32_t loose_begin;   ///< first of its loose runs
@@ -82,7 +82,7 @@ class PackedSurface {
   std::size_t copy_words() const { return copy_words_; }
   std::size_t bytes() const;
 
-  /// Bit of an owned slot of the surface it was made from.
+  /// Bit of a slot of the surface it was made from.
   std::uint32_t bit_of(const Surface& surface, std::uint32_t slot) const;
 
   /// Calls visit(word, mask of its owned bits) for the words of a patch that have some, in ascending order.

@@ -67,19 +67,22 @@ std::uint64_t evaluate_row(const Surface& surface, std::uint32_t r, const B& beh
                            std::uint64_t step) {
   using State = typename B::State;
   const Row* row = surface.rows().data() + r;
-  const std::size_t count = row->run_end - row->run_begin;
+  const std::uint32_t begin = row->run_begin;
+  const std::size_t count = row->run_end - begin;
+  // Found once: what is written may look like rows to a compiler.
+  const auto n = neighbourhood_of(row, begin, state);
+  State* const out = next + begin;
   if constexpr (LaneBehaviour<B>) {
-    const auto n = neighbourhood_of(row, row->run_begin, state);
-    State* out = next + row->run_begin;
     if (count >= 64) return detail::evaluate_in_lanes<64>(behaviour, n, out, count);
     if (count >= 32) return detail::evaluate_in_lanes<32>(behaviour, n, out, count);
     if (count >= 16) return detail::evaluate_in_lanes<16>(behaviour, n, out, count);
     if (count >= 8) return detail::evaluate_in_lanes<8>(behaviour, n, out, count);
   }
   std::uint64_t changed = 0;
-  for (std::uint32_t slot = row->run_begin; slot < row->run_end; ++slot) {
-    next[slot] = behaviour.next(neighbourhood_of(row, slot, state), CellRandom(seed, step, slot));
-    changed += next[slot] != state[slot];
+  for (std::size_t k = 0; k < count; ++k) {
+    out[k] = behaviour.next(Neighbourhood<State>{n.below + k, n.here + k, n.above + k},
+                            CellRandom(seed, step, begin + static_cast<std::uint32_t>(k)));
+    changed += out[k] != n.here[k];
   }
   return changed;
 }

@@ -21,8 +21,7 @@ class RowStepper {
   /// `state` holds a value for each slot of the surface; those of ghosts are made anew from their owners.
   RowStepper(const Surface& surface, B behaviour, Field<State> state, std::uint64_t seed)
       : RowStepper(surface, std::move(behaviour), std::move(state), seed, Restart{}) {
-    make_pairs_common([](std::uint32_t) {});
-    next_ = large_copy(state_);
+    make_pairs_common([&](std::uint32_t slot) { next_[slot] = state_[slot]; });
   }
 
   /// Goes on with a run that stands at `restart`; there the pairs have been made common.

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "verdigris/automaton/behaviour.hpp"
+#include "verdigris/base/large_memory.hpp"
 #include "verdigris/surface/surface.hpp"
 
 namespace verdigris {
@@ -76,7 +77,7 @@ Field<State> restore_cells(const Surface& surface, const SavedState& saved, Stat
                            std::string_view name = "cells") {
   const StateArray& array = saved.find(name, sizeof(State));
   check_cells(array, surface);
-  Field<State> state(surface.slot_count(), elsewhere);
+  Field<State> state = large_vector(surface.slot_count(), elsewhere);
   const std::byte* from = array.bytes.data();
   for (const Row& row : surface.rows()) {
     const std::size_t bytes = (row.run_end - row.run_begin) * sizeof(State);

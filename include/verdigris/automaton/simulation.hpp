@@ -16,6 +16,7 @@
 #include "verdigris/automaton/saved_state.hpp"
 #include "verdigris/automaton/sweep.hpp"
 #include "verdigris/base/error.hpp"
+#include "verdigris/base/large_memory.hpp"
 
 namespace verdigris {
 
@@ -126,7 +127,7 @@ class RuleSimulation final : public AnySimulation {
 
  private:
   static Field<State> start(const Surface& surface, const B& behaviour, std::uint64_t seed) {
-    Field<State> state(surface.slot_count(), behaviour.outside());
+    Field<State> state = large_vector(surface.slot_count(), State(behaviour.outside()));
     for (const Row& row : surface.rows())
       for (std::uint32_t slot = row.run_begin; slot < row.run_end; ++slot)
         state[slot] = behaviour.initial(CellRandom(seed, 0, slot));

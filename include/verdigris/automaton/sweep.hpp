@@ -2,11 +2,9 @@
 // Full sweep: every cell, every step. What the other kinds of stepping are measured against.
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <cstddef>
-#include <utility>
 
 #include "verdigris/automaton/behaviour.hpp"
 #include "verdigris/automaton/row_evaluation.hpp"
@@ -44,7 +42,7 @@ class SweepStepper : public RowStepper<B> {
     ++step_;
     report.changed = total.changed;
     report.visited = total.visited;
-    refresh_ghosts();
+    carrier_.refresh(behaviour_, state_);
     report.changed += this->make_pairs_common([](std::uint32_t) {});
     return report;
   }
@@ -69,14 +67,6 @@ class SweepStepper : public RowStepper<B> {
   struct Counts {
     std::uint64_t changed = 0, visited = 0;
   };
-
-  void refresh_ghosts() {
-    if (surface_.link_kind() != LinkKind::unfolded) return;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, surface_.links().word_count(), 1024),
-                      [&](const tbb::blocked_range<std::size_t>& range) {
-                        carrier_.refresh_between(behaviour_, state_, range.begin(), range.end());
-                      });
-  }
 };
 
 }  // namespace verdigris

@@ -13,11 +13,10 @@ namespace verdigris {
 /// become zero.
 void ready_memory(void* begin, std::size_t bytes);
 
-/// Room for `count` elements in a vector that is still empty.
+/// Room for `count` elements in a vector that has none yet.
 template <typename T>
 void reserve_large(std::vector<T>& empty, std::size_t count) {
   static_assert(std::is_trivially_copyable_v<T>);
-  if (empty.capacity() != 0) std::vector<T>().swap(empty);
   empty.reserve(count);
   ready_memory(empty.data(), count * sizeof(T));
 }

@@ -2,6 +2,7 @@
 // Larger-than-Life on a surface: a byte a cell, counts from running sums along the rows of each patch.
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "verdigris/automaton/behaviour.hpp"
@@ -32,6 +33,8 @@ class LargerThanLife {
   RangeRule rule_;
   Field<std::uint8_t> state_, next_;
   std::uint64_t steps_ = 0;
+  struct Rooms;
+  std::shared_ptr<Rooms> rooms_;  // for the raster of a patch, one a thread; nothing is kept between steps
 };
 
 }  // namespace verdigris

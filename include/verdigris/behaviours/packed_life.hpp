@@ -2,6 +2,8 @@
 // Life-like behaviours on packed cells: 64 at a time in a word, eight words at a time in a vector.
 
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "verdigris/automaton/packed_surface.hpp"
@@ -28,7 +30,7 @@ class PackedLife {
 
   const std::vector<std::uint64_t>& state() const { return state_; }
   /// Goes on from what state() and steps() were. Throws InputError when it is not of such a surface.
-  void restore(std::vector<std::uint64_t> state, std::uint64_t steps);
+  void restore(std::span<const std::uint64_t> state, std::uint64_t steps);
   /// Bytes of state; the packed surface has its own.
   std::size_t bytes() const { return (state_.size() + ghosts_.size()) * 8; }
 
@@ -38,6 +40,8 @@ class PackedLife {
   std::vector<std::uint64_t> state_;   // [word], owned bits only
   std::vector<std::uint64_t> ghosts_;  // [ghost / 64] bits gathered for this step
   std::uint64_t steps_ = 0;
+  struct Rooms;
+  std::shared_ptr<Rooms> rooms_;  // for the copy of a patch, one a thread; nothing is in them between steps
 };
 
 }  // namespace verdigris

@@ -28,6 +28,8 @@ class CameraPath {
 
   /// The camera at a share of the film, 0..1.
   Camera at(double share) const;
+  /// Whether it is not the same all the time.
+  bool moves() const { return turn_ != 0.0 || poses_.size() > 1; }
 
  private:
   struct Pose {
@@ -37,6 +39,7 @@ class CameraPath {
   Pose pose_at(double share) const;
   std::vector<glm::dvec3> directions_on_the_way() const;
   glm::dvec3 direction_of(const Pose& pose) const;
+  Camera turned_to(glm::dvec3 direction) const;
 
   std::vector<double> times_;
   std::vector<Pose> poses_;
@@ -44,7 +47,8 @@ class CameraPath {
   ViewSettings settings_;
   double distance_ = 0.0, radius_ = 0.0;
   glm::dvec3 middle_;
-  std::optional<Camera> still_;
+  Camera still_;         // of the first view, as frame_mesh makes it
+  bool framed_ = false;  // it stays that
 };
 
 }  // namespace verdigris

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "verdigris/surface/surface.hpp"
 
@@ -17,6 +18,15 @@ void copy_to_ghosts(const Surface& surface, Values&& values) {
   surface.links().for_each([&](std::uint32_t source, std::span<const std::uint32_t> targets) {
     for (const std::uint32_t target : targets) values[target] = values[source];
   });
+}
+
+/// [slot] the cell that a ghost repeats; `none` for all other slots.
+inline std::vector<std::uint32_t> ghost_sources(const Surface& surface, std::uint32_t none = 0xFFFFFFFFu) {
+  std::vector<std::uint32_t> sources(surface.slot_count(), none);
+  surface.links().for_each([&](std::uint32_t source, std::span<const std::uint32_t> targets) {
+    for (const std::uint32_t target : targets) sources[target] = source;
+  });
+  return sources;
 }
 
 }  // namespace verdigris
