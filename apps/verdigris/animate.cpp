@@ -12,7 +12,8 @@ using namespace verdigris;
 
 void add_animate(CLI::App& app, int& status) {
   struct Options {
-    std::string scene, mesh, cells, size, view, up;
+    std::string scene;
+    SceneOverrides overrides;
     std::vector<double> years;
     std::uint64_t frames = 0, hold = 0;
     double rate = 0.0, turn = 0.0;
@@ -51,14 +52,7 @@ void add_animate(CLI::App& app, int& status) {
           ->type_name("DEG")
           ->check(within(-36000.0, 36000.0));
   command->add_flag("--overlay", options->overlay, "Write the time and a curve over the frames");
-  command->add_option("--mesh", options->mesh, "Another model than the scene's")->type_name("MODEL");
-  command->add_option("--cells", options->cells, "Another number of cells: 250000, 500k, 2M")->type_name("N");
-  command->add_option("--view", options->view, "Another view: front, iso, or a direction x,y,z")
-      ->type_name("VIEW");
-  command->add_option("--up", options->up, "Axis of the model that points up: y or z")
-      ->type_name("AXIS")
-      ->check(CLI::IsMember({"y", "z"}));
-  command->add_option("--size", options->size, "Another picture size in pixels")->type_name("WxH");
+  add_scene_overrides(*command, options->overrides);
   command->add_option("--out,-o", options->film.out, "Directory for the film; made if need be")
       ->type_name("DIR")
       ->capture_default_str();
@@ -84,17 +78,7 @@ void add_animate(CLI::App& app, int& status) {
     if (rate->count() > 0) film.rate = options->rate;
     if (turn->count() > 0) film.turn = options->turn;
     if (options->overlay) film.overlay = true;
-    if (!options->mesh.empty()) {
-      scene.mesh = options->mesh;
-      scene.mesh_hash.clear();
-    }
-    if (!options->cells.empty()) {
-      scene.cells = parse_count(options->cells, "--cells");
-      scene.cell_size = 0.0;
-    }
-    if (!options->view.empty()) scene.picture.view = options->view, film.camera.clear();
-    if (!options->up.empty()) scene.picture.up = options->up;
-    if (!options->size.empty()) parse_size(options->size, scene.picture.width, scene.picture.height);
+    apply(options->overrides, scene);
     options->film.video = !options->no_video;
     status = run_animation(std::move(scene), options->film);
   });

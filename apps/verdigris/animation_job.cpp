@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "film.hpp"
 #include "film_subject.hpp"
@@ -62,10 +63,7 @@ class Filming {
         moments_(moments),
         film_(film),
         progress_(progress),
-        path_(path_of(scene, subject.mesh())) {
-    const AnimationPlan& plan = scene.animation;
-    moving_ = plan.turn != 0.0 || plan.camera.size() > 1;
-  }
+        path_(path_of(scene, subject.mesh())) {}
 
   /// False when the user stopped it.
   bool shoot() {
@@ -97,8 +95,7 @@ class Filming {
  private:
   void frame(std::size_t k, const FilmState& state) {
     const auto count = static_cast<double>(moments_.size());
-    const bool same = !moving_ && latest_ < k && moments_[k] == moments_[latest_];
-    if (!same || drawn_ == 0)
+    if (path_.moves() || !latest_ || moments_[k] != moments_[*latest_])
       image_ = state.draw(path_.at(count > 1 ? static_cast<double>(k) / (count - 1) : 0.0));
     latest_ = k;
     Image image = image_;
@@ -124,9 +121,9 @@ class Filming {
   Progress& progress_;
   CameraPath path_;
   FilmCurve curve_;
-  Image image_;
-  bool moving_ = false;
-  std::size_t latest_ = 0, drawn_ = 0;
+  Image image_;                        // of frame latest_
+  std::optional<std::size_t> latest_;  // that was drawn
+  std::size_t drawn_ = 0;
   double drawing_ = 0.0, simulating_ = 0.0;
 };
 

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "start.hpp"
 #include "verdigris/base/error.hpp"
-#include "verdigris/behaviours/builtin.hpp"
-#include "verdigris/exposure/mask_catalogue.hpp"
 #include "verdigris/exposure/mask_expression.hpp"
 #include "verdigris/exposure/mesh_values.hpp"
 #include "verdigris/exposure/model_colours.hpp"
@@ -86,34 +86,32 @@ ImageValues values_of(const GreyImage& image) {
   return values;
 }
 
-// Makes masks when they are first asked for, for formulas name others.
+std::vector<std::string> names_of(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const MaskPlan& mask : scene.masks) names.push_back(mask.name);
+  return names;
+}
+
+// Makes masks when they are first asked for, for formulas name others; check_masks knows that none leads back
+// to itself.
 class MaskMaker {
  public:
-  MaskMaker(const Surface& surface, const Scene& scene, const ReadReport& read)
-      : surface_(surface), exposures_(surface), scene_(scene), read_(read), catalogue_(builtin_masks()) {
-    for (const MaskPlan& mask : scene.masks) names_.push_back(mask.name);
-    for (const MaskEntry& entry : catalogue_.entries())
-      if (std::find(names_.begin(), names_.end(), entry.name) == names_.end()) names_.push_back(entry.name);
-  }
+  MaskMaker(SourceMasks& sources, const Scene& scene, const ReadReport& read)
+      : surface_(sources.surface()),
+        sources_(sources),
+        scene_(scene),
+        read_(read),
+        names_(formula_names(names_of(scene), sources.catalogue())) {}
 
   const Field<float>& named(const std::string& name) {
     if (const auto found = made_.find(name); found != made_.end()) return found->second;
     const auto plan = std::find_if(scene_.masks.begin(), scene_.masks.end(),
                                    [&](const MaskPlan& mask) { return mask.name == name; });
-    Field<float> values =
-        plan != scene_.masks.end() ? planned(*plan) : from_catalogue(catalogue_.find(name), {}, scene_.seed);
-    return made_.emplace(name, std::move(values)).first->second;
+    if (plan == scene_.masks.end()) return sources_.named(name);
+    return made_.emplace(name, raw(*plan)).first->second;
   }
 
  private:
-  Field<float> planned(const MaskPlan& mask) {
-    if (!under_way_.insert(mask.name).second)
-      throw InputError(place_of(mask), "its formula leads back to itself", "name other masks in it");
-    Field<float> values = raw(mask);
-    under_way_.erase(mask.name);
-    return values;
-  }
-
   Field<float> raw(const MaskPlan& mask) {
     Field<float> values;
     std::optional<double> low = mask.low, high = mask.high;
@@ -131,8 +129,8 @@ class MaskMaker {
                            mask.file.string());
       copy_to_ghosts(surface_, values);
       if (!low) low = 0.0;
-    } else if (const MaskEntry* entry = entry_named(catalogue_, mask.source)) {
-      values = from_catalogue(*entry, mask.parameters, mask.seed);
+    } else if (const MaskEntry* entry = entry_named(sources_.catalogue(), mask.source)) {
+      values = sources_.make(*entry, mask.parameters, mask.seed);
     } else {
       const auto field = primitive_of(mask);
       const ValueRange range = field->range();
@@ -144,10 +142,6 @@ class MaskMaker {
     return values;
   }
 
-  Field<float> from_catalogue(const MaskEntry& entry, const ParameterValues& given, std::uint64_t seed) {
-    return entry.create(exposures_, with_up(entry, given, scene_.picture.up), seed);
-  }
-
   Field<float> from_formula(const MaskPlan& mask) {
     const MaskExpression formula(mask.formula, names_, place_of(mask));
     std::vector<const Field<float>*> fields(names_.size(), nullptr);
@@ -156,13 +150,11 @@ class MaskMaker {
   }
 
   const Surface& surface_;
-  ExposureCache exposures_;
+  SourceMasks& sources_;
   const Scene& scene_;
   const ReadReport& read_;
-  MaskCatalogue catalogue_;
-  std::vector<std::string> names_;            // that formulas may use: the scene's, then sources
+  std::vector<std::string> names_;            // that formulas may use
   std::map<std::string, Field<float>> made_;  // by name
-  std::set<std::string> under_way_;
 };
 
 bool taken_by(const BehaviourEntry& behaviour, const std::string& name) {
@@ -170,45 +162,66 @@ bool taken_by(const BehaviourEntry& behaviour, const std::string& name) {
          std::find(behaviour.masks.begin(), behaviour.masks.end(), name) != behaviour.masks.end();
 }
 
-bool in_a_formula(const Scene& scene, const std::string& name) {
-  const MaskCatalogue catalogue = builtin_masks();
-  return std::any_of(scene.masks.begin(), scene.masks.end(), [&](const MaskPlan& mask) {
-    if (mask.formula.empty()) return false;
-    std::vector<std::string> names{name};
-    for (const MaskPlan& other : scene.masks) names.push_back(other.name);
-    for (const MaskEntry& entry : catalogue.entries()) names.push_back(entry.name);
-    const MaskExpression formula(mask.formula, names, place_of(mask));
-    return !formula.used().empty() && formula.used().front() == 0;
-  });
-}
+// The masks that are reached from some by formulas.
+class Reached {
+ public:
+  explicit Reached(const Scene& scene) : scene_(scene), names_(formula_names(names_of(scene))) {}
+
+  void visit(const MaskPlan& mask) {
+    if (!path_.insert(mask.name).second)
+      throw InputError(place_of(mask), "its formula leads back to itself", "name other masks in it");
+    if (masks_.insert(mask.name).second && !mask.formula.empty()) {
+      const MaskExpression formula(mask.formula, names_, place_of(mask));
+      for (const std::uint32_t k : formula.used())
+        if (k < scene_.masks.size()) visit(scene_.masks[k]);
+    }
+    path_.erase(mask.name);
+  }
+  bool has(const MaskPlan& mask) const { return masks_.count(mask.name) != 0; }
+
+ private:
+  const Scene& scene_;
+  std::vector<std::string> names_;
+  std::set<std::string> masks_, path_;
+};
 
 }  // namespace
 
+void check_masks(const Scene& scene) {
+  Reached reached(scene);
+  for (const MaskPlan& mask : scene.masks) {
+    check_plan(mask);
+    reached.visit(mask);
+  }
+}
+
 void check_masks(const Scene& scene, const BehaviourEntry& behaviour) {
+  check_masks(scene);
+  Reached reached(scene);
+  for (const MaskPlan& mask : scene.masks)
+    if (taken_by(behaviour, mask.name)) reached.visit(mask);
   for (const MaskPlan& mask : scene.masks) {
     const auto& taken = behaviour.masks;
-    if (!taken_by(behaviour, mask.name) && !in_a_formula(scene, mask.name))
+    if (!reached.has(mask))
       throw InputError(place_of(mask), fmt::format("{} takes no mask of that name", behaviour.name),
                        taken.empty() ? fmt::format("it takes only {}", barring)
                                      : fmt::format("it takes {} and {}", fmt::join(taken, ", "), barring));
     if (mask.name == barring && !scene.barrier.mask.empty())
       throw InputError("masks.barrier", "barrier.mask is given too", "keep one of them");
-    check_plan(mask);
   }
 }
 
-std::vector<Mask> all_masks(const Surface& surface, const Scene& scene, const ReadReport& read) {
-  for (const MaskPlan& mask : scene.masks) check_plan(mask);
-  MaskMaker maker(surface, scene, read);
+std::vector<Mask> all_masks(SourceMasks& sources, const Scene& scene, const ReadReport& read) {
+  MaskMaker maker(sources, scene, read);
   std::vector<Mask> masks;
   for (const MaskPlan& mask : scene.masks) masks.push_back({mask.name, maker.named(mask.name)});
   return masks;
 }
 
-std::vector<Mask> make_masks(const Surface& surface, const Scene& scene, const ReadReport& read) {
-  const Catalogue catalogue = builtin_catalogue();
-  const BehaviourEntry& behaviour = catalogue.find(scene.behaviour);
-  MaskMaker maker(surface, scene, read);
+std::vector<Mask> make_masks(const Surface& surface, const Scene& scene, const BehaviourEntry& behaviour,
+                             const ReadReport& read) {
+  SourceMasks sources(surface, scene.picture.up, scene.seed);
+  MaskMaker maker(sources, scene, read);
   std::vector<Mask> masks;
   for (const MaskPlan& mask : scene.masks) {
     if (!taken_by(behaviour, mask.name)) continue;

@@ -4,21 +4,26 @@
 #include <vector>
 
 #include "verdigris/automaton/catalogue.hpp"
+#include "verdigris/exposure/source_masks.hpp"
 #include "verdigris/io/read_mesh.hpp"
 #include "verdigris/io/scene.hpp"
 
-/// Refuses what can be known before the model is read: masks that neither the behaviour takes nor a formula
-/// names, sources and parameters there are not, bounds and scales of no use. Throws InputError.
+/// Refuses what can be known before the model is read: sources and parameters there are not, bounds and
+/// scales of no use, formulas that lead back to themselves; with a behaviour also masks that it neither takes
+/// nor reaches by formulas. Throws InputError.
+void check_masks(const verdigris::Scene& scene);
 void check_masks(const verdigris::Scene& scene, const verdigris::BehaviourEntry& behaviour);
 
 /// All masks of a scene by all sources, [slot], as they are: distances stay distances. Directions that a
-/// source was not given are the scene's up. Throws InputError, also for files that do not fit the model.
-std::vector<verdigris::Mask> all_masks(const verdigris::Surface& surface, const verdigris::Scene& scene,
+/// source was not given are the scene's up. The scene has been checked. Throws InputError for files that do
+/// not fit the model.
+std::vector<verdigris::Mask> all_masks(verdigris::SourceMasks& sources, const verdigris::Scene& scene,
                                        const verdigris::ReadReport& read);
 
-/// Those that the scene's behaviour takes, "barrier" too, [slot] 0 to 1; not those that only serve formulas.
+/// Those that the behaviour takes, "barrier" too, [slot] 0 to 1; not those that only serve formulas.
 /// Throws as all_masks.
 std::vector<verdigris::Mask> make_masks(const verdigris::Surface& surface, const verdigris::Scene& scene,
+                                        const verdigris::BehaviourEntry& behaviour,
                                         const verdigris::ReadReport& read);
 
 /// Takes the mask named "barrier" out of `masks`: [slot] 1 where it reaches the scene's threshold. Without

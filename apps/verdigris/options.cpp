@@ -130,6 +130,34 @@ void finish_picture_options(Scene& scene, const PictureOptionTexts& texts) {
   if (texts.no_outline) scene.picture.outline = false;
 }
 
+void add_scene_overrides(CLI::App& app, SceneOverrides& overrides) {
+  app.add_option("--mesh", overrides.mesh, "Another model than the scene's")->type_name("MODEL");
+  app.add_option("--cells", overrides.cells, "Another number of cells: 250000, 500k, 2M")->type_name("N");
+  app.add_option("--view", overrides.view, "Another view: front, iso, or a direction x,y,z")
+      ->type_name("VIEW");
+  app.add_option("--up", overrides.up, "Axis of the model that points up: y or z")
+      ->type_name("AXIS")
+      ->check(CLI::IsMember({"y", "z"}));
+  app.add_option("--size", overrides.size, "Another picture size in pixels")->type_name("WxH");
+}
+
+void apply(const SceneOverrides& overrides, Scene& scene) {
+  if (!overrides.mesh.empty()) {
+    scene.mesh = overrides.mesh;
+    scene.mesh_hash.clear();
+  }
+  if (!overrides.cells.empty()) {
+    scene.cells = parse_count(overrides.cells, "--cells");
+    scene.cell_size = 0.0;
+  }
+  if (!overrides.view.empty()) {
+    scene.picture.view = overrides.view;
+    scene.animation.camera.clear();
+  }
+  if (!overrides.up.empty()) scene.picture.up = overrides.up;
+  if (!overrides.size.empty()) parse_size(overrides.size, scene.picture.width, scene.picture.height);
+}
+
 void add_run_options(CLI::App& app, RunOptions& options, bool checkpoints) {
   app.add_option("--out,-o", options.out, "Directory for the results; made if need be")
       ->type_name("DIR")

@@ -52,6 +52,13 @@ struct PictureOptionTexts {
 void add_picture_options(CLI::App& app, verdigris::Scene& scene, PictureOptionTexts& texts);
 void finish_picture_options(verdigris::Scene& scene, const PictureOptionTexts& texts);
 
+/// --mesh, --cells, --view, --up, --size: what takes the place of a scene file's own.
+struct SceneOverrides {
+  std::string mesh, cells, view, up, size;
+};
+void add_scene_overrides(CLI::App& app, SceneOverrides& overrides);
+void apply(const SceneOverrides& overrides, verdigris::Scene& scene);
+
 /// --out, --threads, --json, --quiet; for what can be taken up again --checkpoint-every and --resume.
 void add_run_options(CLI::App& app, RunOptions& options, bool checkpoints = true);
 

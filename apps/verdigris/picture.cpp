@@ -10,6 +10,7 @@
 #include "verdigris/picture/palette.hpp"
 #include "verdigris/picture/regions.hpp"
 #include "verdigris/surface/flat_torus.hpp"
+#include "verdigris/surface/owned_cells.hpp"
 
 #ifdef VERDIGRIS_WITH_GL
 #include "verdigris/gl/renderer.hpp"
@@ -49,13 +50,10 @@ CellColours colours_for(const Surface& surface, const CellValues& values, bool l
       [&](const auto& field) {
         using T = typename std::decay_t<decltype(field)>::value_type;
         if (std::is_integral_v<T>) colours.high = 1.0;
-        for (std::uint32_t r = 0; r < surface.rows().size(); ++r) {
-          const SlotRun run = surface.owned(r);
-          for (std::uint32_t slot = run.begin; slot < run.end; ++slot) {
-            colours.low = std::min(colours.low, static_cast<double>(field[slot]));
-            colours.high = std::max(colours.high, static_cast<double>(field[slot]));
-          }
-        }
+        each_owned(surface, [&](std::uint32_t slot) {
+          colours.low = std::min(colours.low, static_cast<double>(field[slot]));
+          colours.high = std::max(colours.high, static_cast<double>(field[slot]));
+        });
       },
       values);
   return colours;
@@ -88,9 +86,13 @@ void write_torus_picture(const std::filesystem::path& file, const Surface& surfa
   write_png(image, file);
 }
 
+UpAxis up_axis(const PicturePlan& plan) {
+  return plan.up == "z" ? UpAxis::z : UpAxis::y;
+}
+
 ViewSettings view_settings(const PicturePlan& plan) {
   ViewSettings settings;
-  settings.up = plan.up == "z" ? UpAxis::z : UpAxis::y;
+  settings.up = up_axis(plan);
   settings.width = plan.width;
   settings.height = plan.height;
   return settings;
@@ -105,7 +107,7 @@ Camera camera_of(const Mesh& mesh, const PicturePlan& plan) {
 void check_picture(const PicturePlan& plan) {
   if (plan.up != "y" && plan.up != "z")
     throw InputError("up", "'" + plan.up + "' is no up axis", "choose y or z");
-  view_direction(plan.view, plan.up == "z" ? UpAxis::z : UpAxis::y);
+  view_direction(plan.view, up_axis(plan));
 }
 
 struct CellPainter::State {

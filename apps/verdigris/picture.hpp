@@ -55,6 +55,9 @@ void write_picture(const std::filesystem::path& file, const verdigris::Surface& 
 void write_torus_picture(const std::filesystem::path& file, const verdigris::Surface& surface,
                          const CellValues& values, bool labels, const verdigris::TorusPlan& torus);
 
+/// The axis that points up.
+verdigris::UpAxis up_axis(const verdigris::PicturePlan& plan);
+
 /// Size and up axis of a plan.
 verdigris::ViewSettings view_settings(const verdigris::PicturePlan& plan);
 

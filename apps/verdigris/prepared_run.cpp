@@ -53,7 +53,7 @@ PreparedRun::PreparedRun(Scene& scene, const BehaviourEntry& behaviour, Progress
       coverage(check_coverage(surface, quiet)),
       setup{surface, scene.seed} {
   lap("build");
-  setup.masks = make_masks(surface, scene, model.read);
+  setup.masks = make_masks(surface, scene, behaviour, model.read);
   setup.barrier = take_barrier(setup.masks, surface, scene, model.read);
   placed = place_seeds(surface, scene, model.read.file_vertices, setup.barrier);
   setup.seeds = placed.seeds;

@@ -21,9 +21,10 @@ void complete_scene(verdigris::Scene& scene, const verdigris::BehaviourEntry& be
 class PreparedRun {
  public:
   /// `scene` gets the hash of the model, the size of cells that was used and, where it has a material, the
-  /// unit. `lap` hears of each stage done: read, build, place_seeds, start. Throws InputError.
-  PreparedRun(verdigris::Scene& scene, const verdigris::BehaviourEntry& behaviour, Progress& progress,
-              bool quiet, const std::function<void(const char* stage)>& lap);
+  /// unit. `lap` hears of each stage done: read, build, place_seeds. Throws InputError.
+  PreparedRun(
+      verdigris::Scene& scene, const verdigris::BehaviourEntry& behaviour, Progress& progress, bool quiet,
+      const std::function<void(const char* stage)>& lap = [](const char*) {});
   PreparedRun(const PreparedRun&) = delete;
   PreparedRun& operator=(const PreparedRun&) = delete;
 

@@ -2,20 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
-#include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "masks.hpp"
 #include "model.hpp"
 #include "picture.hpp"
+#include "prepared_timeline.hpp"
 #include "result_place.hpp"
 #include "thread_option.hpp"
 #include "verdigris/base/error.hpp"
-#include "verdigris/exposure/surface_field.hpp"
-#include "verdigris/io/read_material.hpp"
 #include "verdigris/io/write_png.hpp"
 #include "verdigris/io/write_weathering.hpp"
 #include "weather_pictures.hpp"
@@ -62,22 +58,15 @@ int run_weathering(Scene scene, const RunOptions& options) {
   if (options.resume || !options.checkpoint_every.empty())
     throw InputError("--resume, --checkpoint-every", "timelines keep no checkpoints",
                      "run the scene from its beginning");
-  if (scene.torus.width != 0)
-    throw InputError(scene.file.string(), "a flat torus does not weather", "name a model");
-  const Material material = find_material(scene.weathering.material);
-  if (scene.picture.draw) check_picture(scene.picture);
+  check_timeline_scene(scene);
   check_inputs(scene, options.out);
   const auto begin = std::chrono::steady_clock::now();
   Progress progress(!options.quiet);
   watch_for_interrupt();
 
-  progress.stage("reading");
-  LoadedModel model = load_model(scene);
-  progress.stage("building surface");
-  const Surface surface = lay_cells(std::move(model.mesh), scene);
-  check_coverage(surface, options.quiet);
-  CoatedMetal metal = make_coated_metal(surface, material);
-  MaskBook masks(surface, all_masks(surface, scene, model.read), scene.picture.up, scene.seed);
+  PreparedTimeline timeline(scene, progress, options.quiet);
+  const Surface& surface = timeline.surface();
+  CoatedMetal metal = timeline.metal();
 
   const std::filesystem::path out = options.out;
   const ResultPlace place(out);
@@ -102,9 +91,7 @@ int run_weathering(Scene scene, const RunOptions& options) {
     pictures.emplace_back(fmt::format("{:02}-{}.png", k + 1, steps[k].op), painter->draw(now, camera));
   };
   progress.stage("weathering");
-  const glm::dvec3 up = scene.picture.up == "z" ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
-  const std::vector<TimelineRecord> records =
-      run_timeline(builtin_operators(), surface, metal, steps, masks, up, scene.seed, listener);
+  const std::vector<TimelineRecord> records = timeline.run(metal, listener);
   const bool complete = records.size() == steps.size() && (records.empty() || records.back().report.complete);
 
   progress.stage("writing");

@@ -38,7 +38,7 @@ const Field<float>& ExposureCache::rain_exposure(const RainDirection& rain, cons
 
 const WaterPaths& ExposureCache::water_paths(const WaterPathSettings& s) {
   std::vector<double> key{s.up.x, s.up.y, s.up.z, s.meander, s.meander_size, s.drip_length, s.rim_share};
-  add_seed(key, s.seed);
+  add_seed(key, s.meander > 0.0 ? s.seed : 0);  // only meanders are drawn by lot
   return kept(water_, std::move(key), [&] { return make_water_paths(surface_, s); });
 }
 

@@ -35,10 +35,16 @@ MaskCatalogue builtin_masks() {
   return catalogue;
 }
 
+std::vector<std::string> formula_names(std::vector<std::string> own, const MaskCatalogue& sources) {
+  for (const MaskEntry& entry : sources.entries())
+    if (std::find(own.begin(), own.end(), entry.name) == own.end()) own.push_back(entry.name);
+  return own;
+}
+
 ParameterValues with_up(const MaskEntry& entry, ParameterValues given, const std::string& up) {
   for (const ParameterInfo& p : entry.parameters) {
-    const bool upward = p.name == "up" || p.name == "towards" ||
-                        (p.name == "from" && p.default_value != ParameterValue(std::string()));
+    const bool upward = (p.name == "up" || p.name == "towards" || p.name == "from") &&
+                        p.default_value == ParameterValue(std::string("y"));
     const bool is_given =
         std::any_of(given.begin(), given.end(), [&](const auto& pair) { return pair.first == p.name; });
     if (upward && !is_given) given.emplace_back(p.name, up);

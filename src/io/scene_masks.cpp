@@ -1,7 +1,7 @@
 #include "scene_masks.hpp"
 
-#include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "scene_table.hpp"
 #include "scene_text.hpp"
@@ -79,9 +79,7 @@ std::vector<MaskPlan> read_masks(const std::filesystem::path& file, const toml::
   // Formulas may name one another: they are read when all names are known.
   std::vector<std::string> names;
   for (const MaskPlan& mask : masks) names.push_back(mask.name);
-  const MaskCatalogue catalogue = builtin_masks();
-  for (const MaskEntry& entry : catalogue.entries())
-    if (std::find(names.begin(), names.end(), entry.name) == names.end()) names.push_back(entry.name);
+  names = formula_names(std::move(names));
   for (const MaskPlan& mask : masks) {
     if (mask.formula.empty()) continue;
     const toml::node* node = all.raw().get(mask.name)->as_table()->get("formula");

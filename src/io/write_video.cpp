@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <string_view>
@@ -26,20 +25,6 @@ std::size_t encoded(std::string_view said) {
   if (const auto at = said.rfind(key); at != std::string_view::npos)
     std::from_chars(said.data() + at + key.size(), said.data() + said.size(), count);
   return count;
-}
-
-// What is left of its messages without the lines of its progress.
-std::string complaint(std::string_view said) {
-  std::string text;
-  while (!said.empty()) {
-    const std::string_view line = said.substr(0, said.find('\n'));
-    said.remove_prefix(std::min(said.size(), line.size() + 1));
-    const auto equals = line.find('=');
-    if (line.empty() || (equals != std::string_view::npos && line.find(' ') > equals)) continue;
-    if (!text.empty()) text += "; ";
-    text += line;
-  }
-  return text.empty() ? "it does not say why" : text;
 }
 
 }  // namespace
@@ -71,7 +56,7 @@ bool write_video(const std::string& ffmpeg, const std::vector<std::filesystem::p
       "-xerror",
       "-nostats",
       "-progress",
-      "pipe:2",
+      "pipe:1",
       "-y",
       "-f",
       "image2pipe",
@@ -117,15 +102,16 @@ bool write_video(const std::string& ffmpeg, const std::vector<std::filesystem::p
     }
     child.end_input();
     const int status = child.wait();
-    const std::string said = child.errors();
+    const std::size_t count = encoded(child.output());
+    std::string said = child.errors();
+    while (said.ends_with('\n')) said.pop_back();
     if (status != 0)
-      throw InputError(file.string(), fmt::format("ffmpeg ended with status {}: {}", status, complaint(said)),
+      throw InputError(file.string(), fmt::format("ffmpeg ended with status {}: {}", status, said),
                        "see what it says");
-    if (encoded(said) != pictures.size())
-      throw InputError(
-          file.string(),
-          fmt::format("ffmpeg took {} of {} pictures: {}", encoded(said), pictures.size(), complaint(said)),
-          "look for damaged pictures, and remove them");
+    if (count != pictures.size())
+      throw InputError(file.string(),
+                       fmt::format("ffmpeg took {} of {} pictures: {}", count, pictures.size(), said),
+                       "look for damaged pictures, and remove them");
   } catch (const std::system_error& error) {
     throw InputError(ffmpeg, error.what(), "install ffmpeg");
   }

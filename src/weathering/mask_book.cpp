@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "verdigris/exposure/mask_expression.hpp"
 
@@ -23,34 +24,19 @@ Field<float> state_mask(const CoatedMetal& metal, std::string_view name) {
 }  // namespace
 
 std::vector<std::string> mask_book_names(const std::vector<std::string>& own, const MaskCatalogue& sources) {
-  std::vector<std::string> names = own;
-  const auto add = [&](const std::string& name) {
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-  };
-  for (const MaskEntry& entry : sources.entries()) add(entry.name);
-  for (const char* name : of_state) add(name);
+  std::vector<std::string> names = formula_names(own, sources);
+  for (const char* name : of_state)
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);
   return names;
 }
 
-MaskBook::MaskBook(const Surface& surface, std::vector<Mask> own, std::string up, std::uint64_t seed,
-                   MaskCatalogue sources)
-    : exposures_(surface),
-      own_(std::move(own)),
-      up_(std::move(up)),
-      seed_(seed),
-      sources_(std::move(sources)) {}
-
-const Field<float>& MaskBook::source(const std::string& name) {
-  if (const auto found = made_.find(name); found != made_.end()) return found->second;
-  const MaskEntry& entry = sources_.find(name);
-  return made_.emplace(name, entry.create(exposures_, with_up(entry, {}, up_), seed_)).first->second;
-}
+MaskBook::MaskBook(SourceMasks& sources, std::vector<Mask> own) : sources_(sources), own_(std::move(own)) {}
 
 Field<float> MaskBook::evaluate(const std::string& expression, const std::string& where,
                                 const CoatedMetal& metal) {
   std::vector<std::string> own;
   for (const Mask& mask : own_) own.push_back(mask.name);
-  const std::vector<std::string> names = mask_book_names(own, sources_);
+  const std::vector<std::string> names = mask_book_names(own, sources_.catalogue());
   const MaskExpression formula(expression, names, where);
   std::vector<const Field<float>*> fields(names.size(), nullptr);
   std::vector<Field<float>> now;
@@ -62,10 +48,10 @@ Field<float> MaskBook::evaluate(const std::string& expression, const std::string
       now.push_back(state_mask(metal, names[k]));
       fields[k] = &now.back();
     } else {
-      fields[k] = &source(names[k]);
+      fields[k] = &sources_.named(names[k]);
     }
   }
-  return formula.evaluate(fields, exposures_.surface().slot_count());
+  return formula.evaluate(fields, sources_.surface().slot_count());
 }
 
 }  // namespace verdigris

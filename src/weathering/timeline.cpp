@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <exception>
 
 #include "verdigris/automaton/random.hpp"
 #include "verdigris/base/error.hpp"
@@ -47,33 +46,6 @@ const OperatorEntry& entry_of(const OperatorCatalogue& operators, const Timeline
   }
 }
 
-// What is said to be wrong, with the place in the scene before it.
-template <typename Work>
-void at_its_place(const TimelineStep& step, const Work& work) {
-  try {
-    work();
-  } catch (const InputError& error) {
-    if (step.where.empty()) throw;
-    throw InputError(fmt::format("{}: {}", step.where, error.where()), error.problem(), error.remedy());
-  }
-}
-
-OperatorReport apply(const OperatorEntry& entry, CoatedMetal& metal, const OperatorSetup& setup,
-                     const ParameterValues& values, const TimelineStep& step, const bool& by_listener) {
-  OperatorReport report;
-  std::exception_ptr of_listener;
-  at_its_place(step, [&] {
-    try {
-      report = entry.apply(metal, setup, values);
-    } catch (...) {
-      if (!by_listener) throw;
-      of_listener = std::current_exception();
-    }
-  });
-  if (of_listener) std::rethrow_exception(of_listener);
-  return report;
-}
-
 // Shows the moments of a timeline as its operations come to them.
 class Moments {
  public:
@@ -96,7 +68,7 @@ class Moments {
     };
   }
   // Stays true when the listener throws.
-  const bool& showing() const { return showing_; }
+  bool showing() const { return showing_; }
   void given(const OperatorSetup& setup) { next_ += setup.moments.size(); }
 
  private:
@@ -104,6 +76,17 @@ class Moments {
   std::size_t count_, next_ = 0;
   bool showing_ = false;
 };
+
+// What is said to be wrong, with the place in the scene before it, unless it is said by the listener.
+template <typename Work>
+void at_its_place(const TimelineStep& step, const Work& work, const Moments* moments = nullptr) {
+  try {
+    work();
+  } catch (const InputError& error) {
+    if (step.where.empty() || (moments != nullptr && moments->showing())) throw;
+    throw InputError(fmt::format("{}: {}", step.where, error.where()), error.problem(), error.remedy());
+  }
+}
 
 }  // namespace
 
@@ -130,7 +113,7 @@ void check_timeline(const OperatorCatalogue& operators, std::span<const Timeline
 
 std::vector<TimelineRecord> run_timeline(const OperatorCatalogue& operators, const Surface& surface,
                                          CoatedMetal& metal, std::span<const TimelineStep> steps,
-                                         MaskBook& masks, glm::dvec3 up, std::uint64_t seed,
+                                         MaskBook& masks, std::uint64_t seed,
                                          const TimelineListener& listener) {
   std::vector<TimelineRecord> records;
   double years = 0.0;
@@ -144,15 +127,16 @@ std::vector<TimelineRecord> run_timeline(const OperatorCatalogue& operators, con
     OperatorSetup setup{surface};
     const auto words = CellRandom(seed, 0, static_cast<std::uint32_t>(k)).words(step_purpose);
     setup.seed = std::uint64_t{words[0]} << 32 | words[1];
-    setup.up = up;
-    setup.exposures = &masks.exposures();
+    setup.up = masks.sources().up();
+    setup.exposures = &masks.sources().exposures();
     for (const auto& [name, expression] : given.masks)
       setup.masks.push_back(
           {name, masks.evaluate(expression, fmt::format("{}.{}", where_of(steps[k]), name), metal)});
     if (listener.progress) setup.progress = [&](double share) { return listener.progress(k, share); };
     if (durations[k] > 0.0) moments.give(setup, k);
     TimelineRecord record{steps[k].op, 0.0, {}, {}, 0.0};
-    record.report = apply(entry, metal, setup, given.parameters, steps[k], moments.showing());
+    at_its_place(
+        steps[k], [&] { record.report = entry.apply(metal, setup, given.parameters); }, &moments);
     moments.given(setup);
     show_ghosts(surface, metal);
     years += record.report.years;

@@ -1,4 +1,5 @@
 // Films: frames, video, and going on after a kill.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -10,6 +11,7 @@
 #include <random>
 #include <thread>
 
+#include "grey_levels.hpp"
 #include "program.hpp"
 
 #ifdef VERDIGRIS_WITH_GL
@@ -166,10 +168,43 @@ TEST(AnimateScene, NoticesThatAMaterialHasChangedThoughAllFramesAreThere) {
   EXPECT_NE(changed.err.find("00023.png"), std::string::npos) << changed.err;
 }
 
+TEST(AnimateScene, RegionsKeepTheirColours) {
+  const Workplace place;
+  place.cube();
+  const std::string out = place.path("out");
+  std::string still = growth;
+  const auto set = [&](const std::string& what, const std::string& to) {
+    still.replace(still.find(what), what.size(), to);
+  };
+  set("angle = 80", "angle = 180");
+  set("count = 5", "count = 9");
+  set("turn = 30\noverlay = true\n", "");
+  set("cells = 20000", "cells = 600");
+  set("width = 96\nheight = 80", "width = 240\nheight = 200\noutline = false");
+  ASSERT_EQ(verdigris({"animate", place.file("still.toml", still), "--out", out, "--no-video"}).status, 0);
+  std::vector<std::vector<std::uint16_t>> frames;
+  for (int k = 0; k < 24; ++k)
+    frames.push_back(grey_levels(place.path("out") / fmt::format("frames/{:05}.png", k)));
+  ASSERT_EQ(frames[0].size(), 240u * 200u);
+  // A place goes from bare to the colour of its region and never back, but where regions come to touch.
+  std::size_t changed = 0, back = 0;
+  for (std::size_t p = 0; p < frames[0].size(); ++p) {
+    const int way = int{frames.back()[p]} - int{frames[0][p]};
+    if (std::abs(way) < 1000) continue;
+    ++changed;
+    for (std::size_t k = 1; k < frames.size(); ++k)
+      if (const int step = int{frames[k][p]} - int{frames[k - 1][p]};
+          std::abs(step) > 1000 && step * way < 0) {
+        ++back;
+        break;
+      }
+  }
+  EXPECT_GT(changed, 5000u);
+  EXPECT_LT(back, changed / 10);
+}
+
 TEST(AnimateScene, RefusesWhatIsNoFilm) {
-  const struct {
-    const char *what, *by, *place;
-  } changes[] = {
+  const std::vector<Fault> faults{
       {"frames = 24", "frames = 9", "frames"},
       {"frames = 24", "frames = 24\nyears = [1]", "scene.toml:1"},
       {"frames = 24", "years = [2, 1]", "years"},
@@ -181,16 +216,7 @@ TEST(AnimateScene, RefusesWhatIsNoFilm) {
       {"hold = 3", "holt = 3", "holt"},
       {"[weathering]\nmaterial = \"bare-steel\"", "", "scene.toml"},
   };
-  for (const auto& change : changes) {
-    const Workplace place;
-    place.cube();
-    std::string text = weathering;
-    text.replace(text.find(change.what), std::string(change.what).size(), change.by);
-    const std::string scene = place.file("scene.toml", text);
-    SCOPED_TRACE(change.by);
-    expect_refused(verdigris({"animate", scene, "--out", place.path("out"), "--no-video"}), change.place,
-                   place.path("out"));
-  }
+  expect_faults_refused("animate", weathering, faults, {"--no-video"});
   const Workplace place;
   place.cube();
   const std::string scene = place.file("scene.toml", weathering), out = place.path("out");

@@ -147,18 +147,21 @@ TEST(Masks, ThatCannotBeUsedAreRefused) {
   refused(voronoi + "[masks.strong]\nsource = \"fbm\"\n", "it takes only barrier");
   refused(life + "[masks.strong]\nsource = \"fbm\"\n", "it takes alive and barrier");
   refused(life + "[masks.alive]\nsource = \"moss\"\n", "moss");
-  refused(life + "[masks.alive]\nsource = \"ao\"\nscale = 2\n", "masks.alive");
+  refused(life + "[masks.alive]\nsource = \"ao\"\nscale = 2\n", "has no scale");
   refused(life + "[masks.alive]\nsource = \"ao\"\nrays = 3\n", "ao.rays");
-  refused(life + "[masks.alive]\nsource = \"ao\"\nlow = 1\n", "masks.alive");
+  refused(life + "[masks.alive]\nsource = \"ao\"\nlow = 1\n", "low and high are both");
   refused(life + "[masks.alive]\nformula = \"ao + moss\"\n", "scene.toml:");
   refused(life + "[masks.alive]\nformula = \"ao\"\nscale = 2\n", "scene.toml:");
   refused(life + "[masks.idle]\nsource = \"ao\"\n[masks.alive]\nformula = \"sky\"\n", "masks.idle");
   refused(life + "[masks.a]\nformula = \"b\"\n[masks.b]\nformula = \"a\"\n[masks.alive]\nformula = \"a\"\n",
-          "masks.");
+          "leads back to itself");
+  refused(life + "[masks.a]\nformula = \"b\"\n[masks.b]\nformula = \"a\"\n[masks.alive]\nsource = \"ao\"\n",
+          "leads back to itself");
+  refused(life + "[masks.idle]\nformula = \"idle\"\n", "leads back to itself");
   refused(life + "[masks.alive]\nimage = \"none.png\"\n", "none.png");
   refused(life + "[masks.alive]\nimage = \"numbers.txt\"\n", "numbers.txt");
   write_grey_ramp(place.path("grey.png"), 1, 1, 1);
-  refused(life + "[masks.alive]\nimage = \"grey.png\"\n", "masks.alive");  // a model without coordinates
+  refused(life + "[masks.alive]\nimage = \"grey.png\"\n", "texture coordinates");
   refused(life + "[masks.alive]\nsource = \"fbm\"\nwidth = 3\n", "fbm.width");
   refused(life + "[masks.alive]\nsource = \"fbm\"\noctaves = 99\n", "fbm.octaves");
   refused(life + "[masks.alive]\nsource = \"fbm\"\nlow = 1\nhigh = 1.0\n", "scene.toml:");

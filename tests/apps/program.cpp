@@ -76,6 +76,20 @@ Outcome verdigris(const Arguments& arguments) {
   return Running(arguments).wait();
 }
 
+void expect_faults_refused(const std::string& command, const std::string& scene,
+                           const std::vector<Fault>& faults, const Arguments& more) {
+  for (const Fault& fault : faults) {
+    const Workplace place;
+    place.cube();
+    std::string text = scene;
+    text.replace(text.find(fault.what), std::string(fault.what).size(), fault.by);
+    SCOPED_TRACE(fault.by);
+    Arguments arguments{command, place.file("scene.toml", text), "--out", place.path("out")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    expect_refused(verdigris(arguments), fault.place, place.path("out"));
+  }
+}
+
 void expect_refused(const Outcome& outcome, const std::string& place, const fs::path& out) {
   EXPECT_EQ(outcome.status, 2) << outcome.err;
   EXPECT_EQ(outcome.out, "");

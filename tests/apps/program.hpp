@@ -51,6 +51,16 @@ class Running {
   int state_ = 0;
 };
 
+/// Something in a text that is put wrong, and what the message has to name then.
+struct Fault {
+  const char *what, *by, *place;
+};
+
+/// Expects `verdigris command scene.toml --out ... more` to refuse `scene`, a cube beside it, with each of
+/// the faults alone.
+void expect_faults_refused(const std::string& command, const std::string& scene,
+                           const std::vector<Fault>& faults, const Arguments& more = {});
+
 /// Fails unless the program refused its input as it should: status 2, nothing on standard output, on standard
 /// error `place` and a remedy, no file in `out`.
 void expect_refused(const Outcome& outcome, const std::string& place, const std::filesystem::path& out);

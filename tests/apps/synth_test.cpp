@@ -1,12 +1,12 @@
 // verdigris synth: heights, land, and fields on models.
 #include <gtest/gtest.h>
-#include <png.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "fbm_heights.hpp"
+#include "grey_levels.hpp"
 #include "program.hpp"
 
 namespace {
@@ -15,17 +15,6 @@ std::uint32_t big_endian(const std::string& bytes, std::size_t at) {
   std::uint32_t value = 0;
   for (std::size_t k = 0; k < 4; ++k) value = value << 8 | static_cast<unsigned char>(bytes[at + k]);
   return value;
-}
-
-// Linear levels 0 .. 65535, rows from the top.
-std::vector<std::uint16_t> grey_levels(const std::filesystem::path& file) {
-  png_image image{};
-  image.version = PNG_IMAGE_VERSION;
-  if (png_image_begin_read_from_file(&image, file.c_str()) == 0) return {};
-  image.format = PNG_FORMAT_LINEAR_Y;
-  std::vector<std::uint16_t> levels(std::size_t{image.width} * image.height);
-  png_image_finish_read(&image, nullptr, levels.data(), 0, nullptr);
-  return levels;
 }
 
 std::size_t count_of_levels(const std::filesystem::path& file) {

@@ -30,12 +30,8 @@ TEST(Weather, WritesCellsTableAndASceneThatRepeatsIt) {
   }
 }
 
-struct Change {
-  const char *what, *by, *place;
-};
-
 TEST(Weather, RefusesBadTimelinesByLine) {
-  const Change changes[] = {
+  const std::vector<Fault> faults{
       {"\"coat\"", "\"gild\"", "scene.toml:2"},
       {"op = \"scratch\", ", "", "scene.toml:3"},
       {"count = 4", "cout = 4", "scene.toml:3"},
@@ -48,16 +44,7 @@ TEST(Weather, RefusesBadTimelinesByLine) {
       {"[weathering]\nmaterial = \"bare-steel\"", "", "scene.toml"},
       {"material", "metal", "scene.toml"},
   };
-  for (const Change& change : changes) {
-    const Workplace place;
-    place.cube();
-    std::string text = good;
-    text.replace(text.find(change.what), std::string(change.what).size(), change.by);
-    const std::string scene = place.file("scene.toml", text);
-    SCOPED_TRACE(change.by);
-    expect_refused(verdigris({"weather", scene, "--out", place.path("out")}), change.place,
-                   place.path("out"));
-  }
+  expect_faults_refused("weather", good, faults);
 }
 
 TEST(Weather, KeepsEarlierResultsUntilItHasItsOwn) {
@@ -67,11 +54,14 @@ TEST(Weather, KeepsEarlierResultsUntilItHasItsOwn) {
   ASSERT_EQ(verdigris({"weather", place.file("scene.toml", good), "--out", out}).status, 0);
   std::string bad = good;
   bad.replace(bad.find("]\n\n[mesh]"), 1, "  { op = \"coat\", layer = \"paint\" },\n]");
+  const char* const results[] = {"cells.vtp", "timeline.csv", "run.toml"};
+  std::vector<std::string> before;
+  for (const char* file : results) before.push_back(content_of(place.path("out") / file));
   const Outcome outcome = verdigris({"weather", place.file("bad.toml", bad), "--out", out});
   EXPECT_EQ(outcome.status, 2);
   EXPECT_NE(outcome.err.find("bad.toml:5"), std::string::npos) << outcome.err;
-  for (const char* file : {"cells.vtp", "timeline.csv", "run.toml"})
-    EXPECT_TRUE(std::filesystem::exists(place.path("out") / file)) << file;
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_TRUE(content_of(place.path("out") / results[k]) == before[k]) << results[k];
   // A scene may lie where its results go; what it reads may not.
   EXPECT_EQ(verdigris({"weather", out + "/run.toml", "--out", out}).status, 0);
   std::filesystem::copy_file(place.path("cube.obj"), place.path("out") / "picture.png");

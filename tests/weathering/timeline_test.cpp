@@ -13,9 +13,10 @@ using namespace sheets;
 std::vector<TimelineRecord> run(const Surface& s, CoatedMetal& metal, const std::vector<TimelineStep>& steps,
                                 const TimelineListener& listener = {}) {
   Field<float> half(s.slot_count(), 0.0f);
-  for_owned(s, [&](std::uint32_t slot) { half[slot] = s.position(slot).x < 30.0 ? 1.0f : 0.0f; });
-  MaskBook masks(s, {{"half", half}}, "z", 1);
-  return run_timeline(builtin_operators(), s, metal, steps, masks, {0, 0, 1}, 5, listener);
+  each_owned(s, [&](std::uint32_t slot) { half[slot] = s.position(slot).x < 30.0 ? 1.0f : 0.0f; });
+  SourceMasks sources(s, "z", 1);
+  MaskBook masks(sources, {{"half", half}});
+  return run_timeline(builtin_operators(), s, metal, steps, masks, 5, listener);
 }
 
 const TimelineStep paint{"coat", {{"thickness", 40.0}, {"variation", 0.0}}, ""};
@@ -50,7 +51,7 @@ TEST(Timeline, MasksAreFormulasOfTheSurfaceAndItsState) {
   coat.values.emplace_back("where", "half * facing");
   TimelineStep second{"coat", {{"layer", "lacquer"}, {"variation", 0.0}, {"where", "1 - bare"}}, ""};
   run(s, metal, {coat, second});
-  for_owned(s, [&](std::uint32_t slot) {
+  each_owned(s, [&](std::uint32_t slot) {
     const bool left = s.position(slot).x < 30.0;
     ASSERT_NEAR(metal.coats[2].thickness[slot], left ? 40.0 : 0.0, 1e-3);
     ASSERT_NEAR(metal.coats[3].thickness[slot], left ? 60.0 : 0.0, 1e-3);
@@ -60,7 +61,7 @@ TEST(Timeline, MasksAreFormulasOfTheSurfaceAndItsState) {
 // Metal lost, years corroded and coats of owned cells.
 std::vector<float> content(const Surface& s, const CoatedMetal& metal) {
   std::vector<float> all;
-  for_owned(s, [&](std::uint32_t slot) {
+  each_owned(s, [&](std::uint32_t slot) {
     all.insert(all.end(), {metal.loss[slot], metal.corroded[slot]});
     for (const Coat& coat : metal.coats) all.push_back(coat.thickness[slot]);
   });
@@ -87,6 +88,10 @@ TEST(Timeline, ShowsItsMomentsAsRunsThatEndThere) {
     ASSERT_EQ(shown.size(), 7u);
     EXPECT_EQ(shown[6], content(s, metal));
     EXPECT_EQ(shown[5], shown[6]);  // wear takes no time
+    CoatedMetal early = make_coated_metal(s, find_material("copper"));
+    EXPECT_EQ(shown[0], content(s, early));
+    run(s, early, {paint});
+    EXPECT_EQ(shown[1], content(s, early));
     // Watching changes nothing.
     CoatedMetal unseen = make_coated_metal(s, find_material("copper"));
     run(s, unseen, steps);

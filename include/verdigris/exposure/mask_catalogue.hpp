@@ -58,6 +58,10 @@ MaskEntry mask_entry() {
 /// cavity, lines, colour, wetness, flow, stored, stain.
 MaskCatalogue builtin_masks();
 
+/// The names that formulas may use: `own`, then the sources that none of them hides.
+std::vector<std::string> formula_names(std::vector<std::string> own,
+                                       const MaskCatalogue& sources = builtin_masks());
+
 /// `given` and, for each parameter of the source that says which way is up and was not given, `up`: an axis
 /// or three numbers.
 ParameterValues with_up(const MaskEntry& entry, ParameterValues given, const std::string& up);

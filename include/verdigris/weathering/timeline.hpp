@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <glm/vec3.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -57,7 +56,7 @@ void check_timeline(const OperatorCatalogue& operators, std::span<const Timeline
 /// where.
 std::vector<TimelineRecord> run_timeline(const OperatorCatalogue& operators, const Surface& surface,
                                          CoatedMetal& metal, std::span<const TimelineStep> steps,
-                                         MaskBook& masks, glm::dvec3 up, std::uint64_t seed,
+                                         MaskBook& masks, std::uint64_t seed,
                                          const TimelineListener& listener = {});
 
 }  // namespace verdigris
