@@ -9,6 +9,7 @@
 
 #include "verdigris/automaton/slot_list.hpp"
 #include "verdigris/base/large_memory.hpp"
+#include "verdigris/base/prefetch.hpp"
 #include "verdigris/surface/surface.hpp"
 
 namespace verdigris {
@@ -45,6 +46,11 @@ class SlotMarks {
       std::atomic_ref<std::uint64_t>(marks_[slot >> 6]).fetch_and(keep, std::memory_order_relaxed);
     else
       marks_[slot >> 6] &= keep;
+  }
+
+  /// Asks for the memory that the mark of `slot` lies in.
+  [[gnu::always_inline]] void prefetch_mark(std::uint32_t slot) const {
+    prefetch_for_writing(marks_.data() + (slot >> 6));
   }
 
   void mark(std::uint32_t slot) { marks_[slot >> 6] |= std::uint64_t{1} << (slot & 63); }

@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "verdigris/base/prefetch.hpp"
+
 namespace verdigris {
 
 /// How the grids of neighbouring triangles are joined.
@@ -33,11 +35,19 @@ class Links {
     const std::size_t begin = skip(first_[slot >> 6], static_cast<unsigned>(std::popcount(before)));
     return {targets_.data() + begin, targets_.data() + skip(begin, 1)};
   }
-  /// Asks for the memory that targets of `slot` lie in, if it has some; most sources have one.
-  void prefetch(std::uint32_t slot) const {
-    const std::uint64_t before = bits_[slot >> 6] & ((std::uint64_t{1} << (slot & 63)) - 1);
-    __builtin_prefetch(targets_.data() + first_[slot >> 6] + std::popcount(before));
+  /// Asks for the memory that tells whether `slot` is a source.
+  [[gnu::always_inline]] void prefetch_source(std::uint32_t slot) const {
+    prefetch(bits_.data() + (slot >> 6));
+    prefetch(first_.data() + (slot >> 6));
   }
+  /// Asks for the memory that targets of `slot` lie in, if it has some; most sources have one.
+  [[gnu::always_inline]] void prefetch_targets(std::uint32_t slot) const {
+    const std::size_t at = about_first(slot);
+    prefetch(targets_.data() + at);
+    prefetch(last_.data() + (at >> 6));
+  }
+  /// Something to prefetch by: most often a target of `slot`, a source; else one of a source near it.
+  std::uint32_t likely_target(std::uint32_t slot) const { return targets_[about_first(slot)]; }
 
   /// Calls visit(source, targets) for every source in ascending order: a whole refresh.
   template <typename Visit>
@@ -68,6 +78,11 @@ class Links {
   std::size_t bytes() const;
 
  private:
+  // As if every source before it in its word had one target.
+  std::size_t about_first(std::uint32_t slot) const {
+    const std::uint64_t before = bits_[slot >> 6] & ((std::uint64_t{1} << (slot & 63)) - 1);
+    return first_[slot >> 6] + static_cast<unsigned>(std::popcount(before));
+  }
   // Index past the targets of `sources` sources, of which the first has its targets from `at` on.
   [[gnu::always_inline]] std::size_t skip(std::size_t at, unsigned sources) const {
     if (sources == 0) return at;

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "verdigris/base/prefetch.hpp"
 #include "verdigris/mesh/adjacency.hpp"
 #include "verdigris/mesh/mesh.hpp"
 #include "verdigris/surface/frame.hpp"
@@ -91,6 +92,10 @@ class Surface {
     // A row's successor always exists: the empty one after the last.
     while (rows_[row + 2].begin <= slot) ++row;
     return row;
+  }
+  /// Asks for the memory that row_of(slot) begins with.
+  [[gnu::always_inline]] void prefetch_row_of(std::uint32_t slot) const {
+    prefetch(row_hint_.data() + (slot >> hint_shift));
   }
   /// Patch that holds row `row`.
   std::uint32_t patch_of_row(std::uint32_t row) const;
