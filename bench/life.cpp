@@ -20,10 +20,11 @@ void run(benchmark::State& state, const PackedSurface& packed, const char* rule,
   PackedLife life(packed, parse_life_rule(rule));
   life.fill(0.5, 1);
   for (auto _ : state) benchmark::DoNotOptimize(life.step());
-  // What a step must move: the state in and out, masks and ghost sources in.
+  // What a step must move: the state in and out, groups and numbers in, what is sent in and out.
   const double cells = static_cast<double>(packed.owned_count()),
                bytes = static_cast<double>(packed.bytes() + life.bytes());
-  bench::report(state, cells, bytes, static_cast<double>(packed.bytes() + 2 * life.bytes()) / cells, threads);
+  const auto state_bytes = static_cast<double>(8 * life.state().size());
+  bench::report(state, cells, bytes, (bytes + state_bytes) / cells, threads);
   state.SetLabel(rule);
 }
 

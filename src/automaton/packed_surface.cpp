@@ -1,7 +1,9 @@
 #include "verdigris/automaton/packed_surface.hpp"
 
 #include <limits>
+#include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "verdigris/base/error.hpp"
 #include "verdigris/base/large_memory.hpp"
@@ -11,35 +13,49 @@ namespace verdigris {
 
 namespace {
 
-constexpr std::uint32_t no_source = 0xFFFFFFFFu;
+constexpr std::uint32_t none = 0xFFFFFFFFu;
 
 }  // namespace
 
-// Lays out one patch after the other: where the cells of each word are, then how its ghosts come to it.
+// Lays out one patch after the other: where the cells of each word are, then what it asks of others for its
+// ghosts. When all have asked, what each patch sends is put in order.
 struct PackedSurface::Builder {
   // The bits of one word: owned [owned_begin, owned_end), ghosts the others of [begin, end).
   struct Word {
     std::uint8_t begin = 0, end = 0, owned_begin = 0, owned_end = 0;
   };
+  // What a ghost repeats: a bit of a patch.
+  struct Source {
+    std::uint32_t patch = none, bit = 0;
+  };
+  // Ghosts [begin, end) of a word that one patch sends.
   struct Run {
+    std::uint32_t word;
     unsigned begin, end;
+    std::uint32_t patch;
   };
-  // A run that does not fit its group: its word in the patch and in the copy.
-  struct OddRun {
-    Run run;
-    std::uint32_t word, at;
+  enum class Place : std::uint32_t { left, right, loose };
+  // Bits that a patch is to send, `asked` from `first` to the next request; they go to the left or right of a
+  // group or to a loose run.
+  struct Request {
+    std::uint32_t patch, first;
+    Place place;
+    std::uint32_t index;
   };
+  // A word of 64 bits is read where a byte begins, so that it holds at least so many of those wanted.
+  static constexpr unsigned most_together = 57;
 
   PackedSurface& packed;
   const Surface& surface;
-  std::vector<std::uint32_t> source_of = ghost_sources(surface, no_source);
-  std::vector<Word> words = {};               // of the patch being laid out
-  std::vector<std::uint32_t> source_at = {};  // [bit] of the patch: bit of the state that a ghost copies
-  std::vector<std::uint32_t> stream = {};     // the sources of its ghosts in the order of gathering
-  std::vector<OddRun> odd = {};               // of the group being made
+  std::vector<std::uint32_t> source_of = ghost_sources(surface, none);
+  std::vector<Word> words = {};          // of the patch being laid out
+  std::vector<Source> sources = {};      // [bit] of the patch
+  std::vector<Run> runs = {}, odd = {};  // of one side of a group; of a group, those that do not fit it
+  std::vector<Request> requests = {};
+  std::vector<std::uint32_t> asked = {};
 
-  // The word columns of a patch; returns how many words they have.
-  std::uint64_t add_columns(std::size_t p) {
+  // The word columns of a patch, from word `words` of the state on; returns where the next patch begins.
+  std::uint64_t add_columns(std::size_t p, std::uint64_t words) {
     const auto rows = surface.rows();
     const std::uint32_t first = surface.row_begin(p), last = surface.row_end(p);
     const auto from_column = [&](std::uint32_t slot, std::uint32_t r) {
@@ -51,10 +67,9 @@ struct PackedSurface::Builder {
       left = std::min(left, from_column(rows[r].begin, r));
       right = std::max(right, from_column(rows.data()[r + 1].begin, r));
     }
-    std::uint64_t words = 0;
     if (left < right) packed.patches_[p].origin = left;
     for (std::int32_t from = left; from < right; from += 64) {
-      Column column{0, 0};
+      Column column{static_cast<std::uint32_t>(words), 0, 0};
       for (std::uint32_t r = first; r < last; ++r) {
         const std::int32_t begin = from_column(rows[r].begin, r);
         const std::int32_t end = begin + static_cast<std::int32_t>(rows.data()[r + 1].begin - rows[r].begin);
@@ -66,12 +81,19 @@ struct PackedSurface::Builder {
     return words;
   }
 
+  Source source_at(std::uint32_t slot) const {
+    const std::uint32_t row = surface.row_of(slot), patch = surface.patch_of_row(row);
+    const std::uint32_t bit = packed.bit_at(patch, row - surface.row_begin(patch),
+                                            static_cast<std::int32_t>(slot - surface.rows()[row].base));
+    return {patch, bit - 64 * packed.word_begin(patch)};
+  }
+
   // Which bits of each word are which, and where each ghost's comes from.
   void read_cells(std::uint32_t p) {
     const auto rows = surface.rows();
-    const std::uint32_t begin = packed.patches_[p].word_begin, end = packed.patches_[p + 1].word_begin;
+    const std::uint32_t begin = packed.word_begin(p), end = packed.word_begin(p + 1);
     words.assign(end - begin, Word{});
-    source_at.assign(std::size_t{64} * (end - begin), 0);
+    sources.assign(std::size_t{64} * (end - begin), Source{});
     for (std::uint32_t r = surface.row_begin(p); r < surface.row_end(p); ++r) {
       const Row& row = rows[r];
       for (std::uint32_t slot = row.begin; slot < rows.data()[r + 1].begin; ++slot) {
@@ -85,8 +107,8 @@ struct PackedSurface::Builder {
         if (slot >= row.run_begin && slot < row.run_end) {
           if (word.owned_end == 0) word.owned_begin = at;
           word.owned_end = static_cast<std::uint8_t>(at + 1);
-        } else if (source_of[slot] != no_source) {
-          source_at[bit] = packed.bit_of(surface, source_of[slot]);
+        } else if (source_of[slot] != none) {
+          sources[bit] = source_at(source_of[slot]);
         }
       }
     }
@@ -95,51 +117,93 @@ struct PackedSurface::Builder {
       if (word.owned_end == 0) word.owned_begin = word.owned_end = 64;
   }
 
-  void add_to_stream(std::uint32_t word, Run run) {
-    for (unsigned bit = run.begin; bit < run.end; ++bit) stream.push_back(source_at[64 * word + bit]);
-  }
-  void add_loose(std::uint32_t word, std::uint32_t at, Run run) {
-    if (run.begin >= run.end) return;
-    packed.loose_.push_back(
-        {at, static_cast<std::uint32_t>(stream.size()), bits_between(run.begin, run.end)});
-    add_to_stream(word, run);
+  // Calls visit(run) for the parts of bits [begin, end) of a word that come from one patch each. Ghosts of
+  // nothing go with those beside them.
+  template <typename Visit>
+  void each_run(std::uint32_t p, std::uint32_t word, unsigned begin, unsigned end, Visit&& visit) {
+    std::uint32_t patch = none;
+    for (unsigned bit = begin; bit < end; ++bit) {
+      const std::uint32_t its = sources[64 * word + bit].patch;
+      if (its == none || its == patch) continue;
+      if (patch != none) {
+        visit(Run{word, begin, bit, patch});
+        begin = bit;
+      }
+      patch = its;
+    }
+    if (begin < end) visit(Run{word, begin, end, patch == none ? p : patch});
   }
 
-  // The runs of one side of eight words: those that fit into 64 bits go into the stream side by side.
-  template <typename RunOf>
-  std::uint16_t add_side(std::uint32_t first_word, std::uint32_t count, std::uint32_t copy_at,
-                         std::uint8_t (&turn)[8], RunOf&& run_of) {
-    const std::size_t byte = stream.size() / 8;
-    const bool near = byte <= std::numeric_limits<std::uint16_t>::max();
-    for (std::uint32_t k = 0; k < count; ++k) {
-      const Run run = run_of(words[first_word + k]);
-      if (run.begin >= run.end) continue;
-      const std::size_t at = stream.size() - 8 * byte;
-      if (near && at + (run.end - run.begin) <= 64) {
-        turn[k] = static_cast<std::uint8_t>((64 + run.begin - at) % 64);
-        add_to_stream(first_word + k, run);
-      } else {
-        odd.push_back({run, first_word + k, copy_at + k});
+  // Bit 0 of a patch is never owned: ghosts of nothing repeat it.
+  void ask_for(const Run& run) {
+    for (unsigned bit = run.begin; bit < run.end; ++bit) asked.push_back(sources[64 * run.word + bit].bit);
+  }
+  void begin_request(std::uint32_t patch, Place place, std::size_t index) {
+    requests.push_back(
+        {patch, static_cast<std::uint32_t>(asked.size()), place, static_cast<std::uint32_t>(index)});
+  }
+  void add_loose(const Run& run, std::uint32_t at) {
+    begin_request(run.patch, Place::loose, packed.loose_.size());
+    ask_for(run);
+    packed.loose_.push_back(
+        {at, 0, static_cast<std::uint8_t>(run.begin), static_cast<std::uint8_t>(run.end)});
+  }
+
+  // The patch that most ghosts of the runs come from, the first of equals.
+  std::uint32_t main_sender() const {
+    std::uint32_t best = none;
+    unsigned most = 0;
+    for (const Run& candidate : runs) {
+      unsigned bits = 0;
+      for (const Run& run : runs)
+        if (run.patch == candidate.patch) bits += run.end - run.begin;
+      if (bits > most) {
+        most = bits;
+        best = candidate.patch;
       }
     }
-    return near ? static_cast<std::uint16_t>(byte) : std::uint16_t{0};
+    return best;
   }
 
-  void add_group(std::uint32_t first_word, std::uint32_t count, std::uint32_t copy_at) {
+  // The ghosts on one side of eight words: what its main sender has for it comes side by side, if it fits.
+  template <typename Ends>
+  void add_side(std::uint32_t p, Place place, std::uint32_t first_word, std::uint32_t count,
+                std::uint8_t (&turn)[8], Ends&& ends) {
+    runs.clear();
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const auto [begin, end] = ends(words[first_word + k]);
+      each_run(p, first_word + k, begin, end, [&](const Run& run) { runs.push_back(run); });
+    }
+    const std::uint32_t sender = main_sender();
+    const std::size_t first = asked.size();
+    std::uint32_t placed = none;
+    for (const Run& run : runs) {
+      const std::size_t at = asked.size() - first;
+      if (run.patch != sender || run.word == placed || at + (run.end - run.begin) > most_together) {
+        odd.push_back(run);
+        continue;
+      }
+      if (at == 0) begin_request(sender, place, packed.groups_.size());
+      turn[run.word - first_word] = static_cast<std::uint8_t>((64 + run.begin - at) % 64);
+      ask_for(run);
+      placed = run.word;
+    }
+  }
+
+  void add_group(std::uint32_t p, std::uint32_t first_word, std::uint32_t count, std::uint32_t copy_at) {
     Group group{};
     for (std::uint32_t k = 0; k < count; ++k) {
       group.owned_begin[k] = words[first_word + k].owned_begin;
       group.owned_end[k] = words[first_word + k].owned_end;
     }
     odd.clear();
-    group.left_byte = add_side(first_word, count, copy_at, group.left_turn, [](const Word& w) {
-      return Run{w.begin, std::min(w.end, w.owned_begin)};
+    add_side(p, Place::left, first_word, count, group.left_turn, [](const Word& w) {
+      return std::pair<unsigned, unsigned>(w.begin, std::min(w.end, w.owned_begin));
     });
-    group.right_byte = add_side(first_word, count, copy_at, group.right_turn, [](const Word& w) {
-      return Run{w.owned_end, w.end};
-    });
+    add_side(p, Place::right, first_word, count, group.right_turn,
+             [](const Word& w) { return std::pair<unsigned, unsigned>(w.owned_end, w.end); });
     packed.groups_.push_back(group);
-    for (const OddRun& run : odd) add_loose(run.word, run.at, run.run);
+    for (const Run& run : odd) add_loose(run, copy_at + run.word - first_word);
   }
 
   void add_patch(std::uint32_t p) {
@@ -147,12 +211,12 @@ struct PackedSurface::Builder {
     patch.group_begin = static_cast<std::uint32_t>(packed.groups_.size());
     patch.loose_begin = static_cast<std::uint32_t>(packed.loose_.size());
     read_cells(p);
-    stream.clear();
     std::uint32_t first = 0, copy = 0, widest = 0;
     for (std::uint32_t k = patch.column_begin; k < packed.patches_[p + 1].column_begin; ++k) {
       Column& column = packed.columns_[k];
       const auto all_ghosts = [&](std::uint32_t w) {
-        add_loose(first + w, copy + 7 + w, {words[first + w].begin, words[first + w].end});
+        each_run(p, first + w, words[first + w].begin, words[first + w].end,
+                 [&](const Run& run) { add_loose(run, copy + 7 + w); });
       };
       if (column.rows > 0) all_ghosts(0);
       const auto owned = [](const Word& w) { return w.owned_begin == 0 && w.owned_end == 64; };
@@ -161,15 +225,47 @@ struct PackedSurface::Builder {
              std::all_of(begin + 8 * column.inside, begin + 8 * column.inside + 8, owned))
         ++column.inside;
       for (std::uint32_t g = column.inside; g < column.groups(); ++g)
-        add_group(first + 1 + 8 * g, std::min(8u, column.rows - 1 - 8 * g), copy + 8 + 8 * g);
+        add_group(p, first + 1 + 8 * g, std::min(8u, column.rows - 1 - 8 * g), copy + 8 + 8 * g);
       for (std::uint32_t w = 1 + 8 * column.groups(); w < column.rows; ++w) all_ghosts(w);
       first += column.rows;
       copy += column.pitch();
       widest = std::max(widest, column.pitch());
     }
-    packed.sources_.add_patch(stream);
     // Beside the last word column as many words may be read as it has itself.
     packed.copy_words_ = std::max<std::size_t>(packed.copy_words_, copy + widest);
+  }
+
+  // Tells a group or a loose run that its bits begin at bit `at` of the stream.
+  void tell(const Request& request, std::uint32_t at) {
+    if (request.place == Place::loose) {
+      packed.loose_[request.index].bit = at;
+      return;
+    }
+    Group& group = packed.groups_[request.index];
+    const bool left = request.place == Place::left;
+    (left ? group.left_byte : group.right_byte) = at / 8;
+    for (std::uint8_t& turn : left ? group.left_turn : group.right_turn)
+      turn = static_cast<std::uint8_t>((64 + turn - at % 8) % 64);
+  }
+
+  // What each patch sends: request by request as they were made.
+  void send() {
+    const std::size_t count = packed.patch_count();
+    std::vector<std::uint32_t> begin(count + 1, 0), order(requests.size()), sent;
+    for (const Request& request : requests) ++begin[request.patch + 1];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    for (std::uint32_t k = 0; k < requests.size(); ++k) order[begin[requests[k].patch]++] = k;
+    begin_request(none, Place::loose, 0);
+    auto next = order.begin();
+    for (std::uint32_t p = 0; p < count; ++p) {
+      sent.clear();
+      for (; next != order.end() && requests[*next].patch == p; ++next) {
+        tell(requests[*next], packed.sent_.begin(p) + static_cast<std::uint32_t>(sent.size()));
+        sent.insert(sent.end(), asked.begin() + requests[*next].first,
+                    asked.begin() + requests[*next + 1].first);
+      }
+      packed.sent_.add_patch(sent);
+    }
   }
 };
 
@@ -180,30 +276,28 @@ PackedSurface::PackedSurface(const Surface& surface) {
   Builder builder{*this, surface};
   const auto count = static_cast<std::uint32_t>(surface.patch_count());
   patches_.reserve(count + 1);
-  // Word 0 of the state is kept empty, so patches begin at word 1.
-  std::uint64_t words = 1;
+  std::uint64_t words = 0;
   for (std::uint32_t p = 0; p <= count; ++p) {
-    patches_.push_back(
-        {static_cast<std::uint32_t>(words), static_cast<std::uint32_t>(columns_.size()), 0, 0, 0});
-    if (p < count) words += builder.add_columns(p);
+    patches_.push_back({static_cast<std::uint32_t>(columns_.size()), 0, 0, 0});
+    if (p < count) words = builder.add_columns(p, words);
     if (words > (std::uint64_t{1} << 26))
       throw InputError("cells", "more than 2^32 bits of packed cells", "use larger cells");
   }
+  columns_.push_back({static_cast<std::uint32_t>(words), 0, 0});
   for (std::uint32_t p = 0; p < count; ++p) builder.add_patch(p);
   patches_[count].group_begin = static_cast<std::uint32_t>(groups_.size());
   patches_[count].loose_begin = static_cast<std::uint32_t>(loose_.size());
+  builder.send();
   columns_ = large_copy(columns_);
   groups_ = large_copy(groups_);
   loose_ = large_copy(loose_);
-  sources_.settle();
+  sent_.settle();
 }
 
 std::uint32_t PackedSurface::bit_at(std::uint32_t patch, std::uint32_t row_index, std::int32_t column) const {
   const Patch& p = patches_[patch];
   const auto offset = static_cast<std::uint32_t>(column - p.origin);
-  std::uint32_t word = p.word_begin;
-  for (std::uint32_t k = 0; k < offset / 64; ++k) word += columns_[p.column_begin + k].rows;
-  return (word + row_index) * 64 + offset % 64;
+  return (columns_[p.column_begin + offset / 64].word_begin + row_index) * 64 + offset % 64;
 }
 
 std::uint32_t PackedSurface::bit_of(const Surface& surface, std::uint32_t slot) const {
@@ -214,7 +308,7 @@ std::uint32_t PackedSurface::bit_of(const Surface& surface, std::uint32_t slot) 
 
 std::size_t PackedSurface::bytes() const {
   return patches_.size() * sizeof(Patch) + columns_.size() * sizeof(Column) + groups_.size() * sizeof(Group) +
-         loose_.size() * sizeof(LooseRun) + sources_.bytes();
+         loose_.size() * sizeof(LooseRun) + sent_.bytes();
 }
 
 }  // namespace verdigris

@@ -8,6 +8,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cstring>
 #include <functional>
@@ -15,6 +16,7 @@
 
 #include "verdigris/base/error.hpp"
 #include "verdigris/base/large_memory.hpp"
+#include "verdigris/base/prefetch.hpp"
 #include "word_rows.hpp"
 
 namespace verdigris {
@@ -81,7 +83,7 @@ Rows owned_bits(const PackedSurface::Group& group) {
   return ones_from(group.owned_begin) & ~ones_from(group.owned_end);
 }
 
-// A copy of the state of a patch, its ghosts laid around the owned cells. `stream` begins with its ghosts.
+// A copy of the state of a patch, its ghosts, of the stream, laid around the owned cells.
 void copy_with_ghosts(const PackedSurface& cells, std::size_t patch, const std::uint64_t* state,
                       const unsigned char* stream, std::uint64_t* copy) {
   const PackedSurface::Group* group = cells.groups(patch);
@@ -105,7 +107,8 @@ void copy_with_ghosts(const PackedSurface& cells, std::size_t patch, const std::
     const unsigned shift = run.bit % 8;
     // Nine bytes hold the next 64 bits.
     const std::uint64_t bits = word_at(from) >> shift | std::uint64_t{from[8]} << 1 << (63 - shift);
-    copy[run.at] = (copy[run.at] & ~run.mask) | (bits << std::countr_zero(run.mask) & run.mask);
+    const std::uint64_t mask = run.mask();
+    copy[run.at] = (copy[run.at] & ~mask) | (bits << run.begin & mask);
   }
 }
 
@@ -115,6 +118,7 @@ std::uint64_t evolve(const PackedSurface& cells, std::size_t patch, const Table&
                      const std::uint64_t* copy, std::uint64_t* state) {
   const PackedSurface::Group* group = cells.groups(patch);
   Rows changed{};
+  const std::size_t to_next = cells.word_begin(patch + 1) - cells.word_begin(patch);
   const std::uint64_t* left_column = copy;  // what stands left of the first is read, but never counts
   for (const PackedSurface::Column& column : cells.columns(patch)) {
     const std::uint64_t* right_column = copy + column.pitch();
@@ -126,6 +130,7 @@ std::uint64_t evolve(const PackedSurface& cells, std::size_t patch, const Table&
     };
     Sum previous = along(0), here = along(1);
     const auto next_rows = [&](std::uint32_t g) {
+      prefetch(state + to_next + 8 * g);
       const Sum next = along(g + 2);
       const Rows centre = load(copy + 8 + 8 * g);
       Rows alive;
@@ -179,7 +184,8 @@ PackedLife::PackedLife(const PackedSurface& cells, const LifeRule& rule)
     : cells_(cells),
       rule_(rule),
       state_(large_vector(cells.word_count() + 8, std::uint64_t{0})),
-      ghosts_(large_vector(cells.sources().begin(cells.patch_count()) / 64 + 3, std::uint64_t{0})),
+      received_(large_vector(cells.sent().begin(cells.patch_count()) / 64 + 3, std::uint64_t{0})),
+      sent_(large_vector(received_.size(), std::uint64_t{0})),
       rooms_(std::make_shared<Rooms>(cells.copy_words())) {}
 
 void PackedLife::set(std::uint32_t bit, bool alive) {
@@ -188,6 +194,7 @@ void PackedLife::set(std::uint32_t bit, bool alive) {
     state_[bit >> 6] |= one;
   else
     state_[bit >> 6] &= ~one;
+  std::atomic_ref(up_to_date_).store(false, std::memory_order_relaxed);
 }
 
 void PackedLife::fill(double density, std::uint64_t seed) {
@@ -203,6 +210,7 @@ void PackedLife::fill(double density, std::uint64_t seed) {
       state_[word] = alive & owned;
     });
   });
+  up_to_date_ = false;
 }
 
 void PackedLife::restore(std::span<const std::uint64_t> state, std::uint64_t steps) {
@@ -219,6 +227,7 @@ void PackedLife::restore(std::span<const std::uint64_t> state, std::uint64_t ste
   if (!fits || alive != owned_alive)
     throw InputError("cells", "they are not of this surface", "start again without this checkpoint");
   std::copy(state.begin(), state.end(), state_.begin());
+  up_to_date_ = false;
   steps_ = steps;
 }
 
@@ -229,21 +238,30 @@ std::uint64_t PackedLife::population() const {
 std::uint64_t PackedLife::step() {
   const std::size_t patches = cells_.patch_count();
   // Some 4096 words a task: patches are small by the hundreds of thousands, or huge by the dozen.
-  const std::size_t grain = std::clamp<std::size_t>(4096 * patches / cells_.word_count(), 1, 64);
-  // Tasks of whole words of ghost bits would be finer than need be: each writes 16 bits at a time of its own.
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, patches, grain),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      cells_.sources().gather(range.begin(), range.end(), state_.data(), ghosts_.data());
-                    });
+  const std::size_t grain =
+      std::clamp<std::size_t>(4096 * patches / std::max<std::size_t>(1, cells_.word_count()), 1, 64);
+  const tbb::blocked_range<std::size_t> all(0, patches, grain);
+  const auto send = [&](std::size_t patch) {
+    cells_.sent().gather(patch, state_.data() + cells_.word_begin(patch), sent_.data());
+  };
+  if (!up_to_date_) {
+    tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& range) {
+      for (std::size_t patch = range.begin(); patch < range.end(); ++patch) send(patch);
+    });
+    up_to_date_ = true;
+  }
+  std::swap(received_, sent_);
   const Table table(rule_);
-  const auto* stream = reinterpret_cast<const unsigned char*>(ghosts_.data());
+  const auto* stream = reinterpret_cast<const unsigned char*>(received_.data());
   const auto advance = [&]<LifeNeighbourhood neighbourhood>(std::size_t patch, std::uint64_t* copy) {
-    std::uint64_t* state = state_.data() + cells_.patch(patch).word_begin;
-    copy_with_ghosts(cells_, patch, state, stream + cells_.sources().begin(patch) / 8, copy);
-    return evolve<neighbourhood>(cells_, patch, table, copy, state);
+    std::uint64_t* state = state_.data() + cells_.word_begin(patch);
+    copy_with_ghosts(cells_, patch, state, stream, copy);
+    const std::uint64_t changed = evolve<neighbourhood>(cells_, patch, table, copy, state);
+    send(patch);
+    return changed;
   };
   const std::uint64_t changed = tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, patches, grain), std::uint64_t{0},
+      all, std::uint64_t{0},
       [&](const tbb::blocked_range<std::size_t>& range, std::uint64_t sum) {
         std::uint64_t* copy = rooms_->of_thread.local().words();
         for (std::size_t patch = range.begin(); patch < range.end(); ++patch)

@@ -6,7 +6,8 @@
 #include <random>
 
 #include "shapes.hpp"
-#include "verdigris/automaton/bit_sources.hpp"
+#include "verdigris/automaton/sent_bits.hpp"
+#include "verdigris/surface/ghost_values.hpp"
 
 using namespace verdigris;
 
@@ -23,43 +24,50 @@ std::vector<std::uint64_t> random_words(std::size_t count, unsigned seed) {
   return words;
 }
 
-TEST(BitSources, GathersNearAndFarGhosts) {
-  constexpr std::uint32_t bits = 1u << 22;
+TEST(SentBits, GathersNumbersOfAnyWidth) {
   std::mt19937 engine(4);
-  // Without ghosts; in one window; in 16 windows exactly; one window too many; all over the state.
-  std::vector<std::vector<std::uint32_t>> patches(6);
-  for (int k = 0; k < 100; ++k) patches[1].push_back(70'000 + engine() % 4096);
-  for (std::uint32_t k = 0; k < 16; ++k) {
-    patches[2].push_back(100'000 * k);
-    patches[2].push_back(100'000 * k + 4095);
+  // Bits below a power of two, the last below it among them; nothing; one more than two blocks.
+  const std::pair<std::uint32_t, std::size_t> all[] = {
+      {1u << 12, 100},      {1, 0},         {1u << 16, 40},      {1u << 22, 70}, {1u << 12, 33},
+      {(1u << 12) + 1, 16}, {1u << 22, 16}, {(1u << 16) + 1, 5}, {64, 1}};
+  std::vector<std::vector<std::uint32_t>> patches;
+  SentBits sent;
+  for (const auto& [bits, count] : all) {
+    std::vector<std::uint32_t> patch(count);
+    for (std::uint32_t& number : patch) number = static_cast<std::uint32_t>(engine()) % bits;
+    if (count > 0) patch[count / 2] = bits - 1;
+    sent.add_patch(patch);
+    patches.push_back(patch);
   }
-  patches[3] = patches[2];
-  patches[3].push_back(4096);
-  for (int k = 0; k < 1000; ++k) patches[4].push_back(engine() % bits);
-  patches[5] = patches[1];
-  BitSources sources;
-  for (const auto& patch : patches) sources.add_patch(patch);
-  ASSERT_EQ(sources.patch_count(), patches.size());
+  sent.settle();
+  ASSERT_EQ(sent.patch_count(), patches.size());
 
-  const auto state = random_words(bits / 64, 5);
-  std::vector<std::uint64_t> stream(sources.begin(patches.size()) / 64 + 1, 0);
-  sources.gather(3, 6, state.data(), stream.data());
-  sources.gather(0, 3, state.data(), stream.data());
-  for (std::size_t p = 0; p < patches.size(); ++p)
+  std::vector<std::uint64_t> stream(sent.begin(patches.size()) / 64 + 1, 0);
+  const auto words_of = [&](std::size_t p) {
+    return random_words((1u << 22) / 64 + 1, static_cast<unsigned>(p));
+  };
+  // In no order: each writes its own part only.
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    const std::size_t p = (4 * k + 3) % patches.size();
+    sent.gather(p, words_of(p).data(), stream.data());
+  }
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    const auto words = words_of(p);
+    EXPECT_EQ(sent.begin(p) % 16, 0u);
     for (std::size_t k = 0; k < patches[p].size(); ++k)
-      ASSERT_EQ(bit(stream, sources.begin(p) + static_cast<std::uint32_t>(k)), bit(state, patches[p][k]))
+      ASSERT_EQ(bit(stream, sent.begin(p) + static_cast<std::uint32_t>(k)), bit(words, patches[p][k]))
           << p << ", " << k;
+  }
 }
 
 // Where the stream's bits of a patch come to lie: the ghosts as they are laid around the owned cells, bit by
 // bit.
 std::vector<std::uint64_t> laid_ghosts(const PackedSurface& cells, std::size_t p,
                                        const std::vector<std::uint64_t>& stream) {
-  const std::uint32_t first = cells.sources().begin(p);
   std::vector<std::uint64_t> copy(cells.copy_words(), 0);
   const PackedSurface::Group* group = cells.groups(p);
   const auto turned = [&](std::uint32_t byte, unsigned by, unsigned at) {
-    return std::uint64_t{bit(stream, first + 8 * byte + (at + 64 - by) % 64)} << at;
+    return std::uint64_t{bit(stream, 8 * byte + (at + 64 - by) % 64)} << at;
   };
   std::uint32_t column_at = 0;
   for (const PackedSurface::Column& column : cells.columns(p)) {
@@ -73,9 +81,9 @@ std::vector<std::uint64_t> laid_ghosts(const PackedSurface& cells, std::size_t p
     column_at += column.pitch();
   }
   for (const PackedSurface::LooseRun& run : cells.loose_runs(p)) {
-    std::uint32_t from = first + run.bit;
+    std::uint32_t from = run.bit;
     for (unsigned at = 0; at < 64; ++at)
-      if (run.mask >> at & 1)
+      if (run.mask() >> at & 1)
         copy[run.at] = (copy[run.at] & ~(std::uint64_t{1} << at)) | std::uint64_t{bit(stream, from++)} << at;
   }
   return copy;
@@ -113,18 +121,20 @@ TEST(PackedSurface, LaysEveryGhostBesideItsCells) {
   for (const auto& [mesh, h] : all) {
     const Surface s = make_surface(mesh, {.cell_size = h});
     const PackedSurface cells(s);
-    auto state = random_words(cells.word_count() + 8, 1);
-    state[0] = 0;
-    std::vector<std::uint64_t> stream(cells.sources().begin(cells.patch_count()) / 64 + 3, 0);
-    cells.sources().gather(0, cells.patch_count(), state.data(), stream.data());
-    std::vector<std::uint32_t> source_of(s.slot_count(), 0);
-    s.links().for_each([&](std::uint32_t source, auto ghosts) {
-      for (const std::uint32_t ghost : ghosts) source_of[ghost] = cells.bit_of(s, source);
-    });
+    const auto random = random_words(cells.word_count(), 1);
+    std::vector<std::uint64_t> owned(cells.word_count(), 0), state(cells.word_count() + 8, 0);
+    for (std::size_t p = 0; p < cells.patch_count(); ++p)
+      cells.for_owned_words(p, [&](std::uint32_t word, std::uint64_t mask) {
+        owned[word] = mask;
+        state[word] = random[word] & mask;
+      });
+    std::vector<std::uint64_t> stream(cells.sent().begin(cells.patch_count()) / 64 + 3, 0);
+    for (std::size_t p = 0; p < cells.patch_count(); ++p)
+      cells.sent().gather(p, state.data() + cells.word_begin(p), stream.data());
+    constexpr std::uint32_t nothing = 0xFFFFFFFFu;
+    const std::vector<std::uint32_t> source_of = ghost_sources(s, nothing);
 
-    std::vector<std::uint64_t> owned(cells.word_count(), 0);
     for (std::size_t p = 0; p < cells.patch_count(); ++p) {
-      cells.for_owned_words(p, [&](std::uint32_t word, std::uint64_t mask) { owned[word] = mask; });
       const auto copy = laid_ghosts(cells, p, stream);
       for (std::uint32_t r = s.row_begin(p); r < s.row_end(p); ++r)
         for (std::uint32_t slot = s.rows()[r].begin; slot < s.rows().data()[r + 1].begin; ++slot) {
@@ -132,8 +142,9 @@ TEST(PackedSurface, LaysEveryGhostBesideItsCells) {
           const bool is_owned = s.is_owned(slot);
           ASSERT_EQ(bit(owned, at), is_owned);
           if (is_owned) continue;
-          const std::uint32_t laid = in_copy(cells, p, word - cells.patch(p).word_begin);
-          ASSERT_EQ(copy[laid] >> (at % 64) & 1, bit(state, source_of[slot]))
+          const std::uint32_t laid = in_copy(cells, p, word - cells.word_begin(p));
+          const std::uint32_t source = source_of[slot];
+          ASSERT_EQ(copy[laid] >> (at % 64) & 1, source != nothing && bit(state, cells.bit_of(s, source)))
               << p << ", " << r << ", " << slot;
         }
       for (const auto& column : cells.columns(p)) {

@@ -32,13 +32,15 @@ class PackedLife {
   /// Goes on from what state() and steps() were. Throws InputError when it is not of such a surface.
   void restore(std::span<const std::uint64_t> state, std::uint64_t steps);
   /// Bytes of state; the packed surface has its own.
-  std::size_t bytes() const { return (state_.size() + ghosts_.size()) * 8; }
+  std::size_t bytes() const { return (state_.size() + received_.size() + sent_.size()) * 8; }
 
  private:
   const PackedSurface& cells_;
   LifeRule rule_;
-  std::vector<std::uint64_t> state_;   // [word], owned bits only
-  std::vector<std::uint64_t> ghosts_;  // [ghost / 64] bits gathered for this step
+  std::vector<std::uint64_t> state_;  // [word], owned bits only
+  // [bit / 64] what patches sent each other for the last step, and for the next one.
+  std::vector<std::uint64_t> received_, sent_;
+  bool up_to_date_ = false;  // sent_ is of state_
   std::uint64_t steps_ = 0;
   struct Rooms;
   std::shared_ptr<Rooms> rooms_;  // for the copy of a patch, one a thread; nothing is in them between steps
