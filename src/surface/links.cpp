@@ -21,6 +21,15 @@ Links::Links(std::size_t slot_count, std::span<const std::uint64_t> sorted_pairs
   while (word + 1 < first_.size()) first_[++word] = static_cast<std::uint32_t>(targets_.size());
 }
 
+std::vector<std::uint32_t> Links::sources_of_targets() const {
+  std::vector<std::uint32_t> sources;
+  reserve_large(sources, targets_.size());
+  for_each([&](std::uint32_t source, std::span<const std::uint32_t> targets) {
+    sources.insert(sources.end(), targets.size(), source);
+  });
+  return sources;
+}
+
 std::size_t Links::bytes() const {
   return bits_.size() * sizeof(bits_[0]) + first_.size() * sizeof(first_[0]) +
          last_.size() * sizeof(last_[0]) + targets_.size() * sizeof(targets_[0]);

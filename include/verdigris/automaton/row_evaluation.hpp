@@ -1,6 +1,7 @@
 #pragma once
 // The next states of one row of cells: many at a time where the behaviour can, else one after the other.
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -31,8 +32,23 @@ concept LaneBehaviour = Behaviour<B> &&
 
 namespace detail {
 
-/// Rows rarely have a whole number of vectors: the last one reaches back over cells already done, of which
-/// `done` are not counted again.
+/// A whole row as one vector of `lanes`, no longer than it and at least half as long. It reaches over cells
+/// behind the row, which are read and come to nothing.
+template <std::size_t lanes, LaneBehaviour B>
+std::uint64_t evaluate_short_row(const B& behaviour, const Neighbourhood<typename B::State>& n,
+                                 typename B::State* next, std::size_t count) {
+  typename B::State made[lanes];
+  behaviour.template next_lanes<lanes>(n.below, n.here, n.above, made);
+  std::uint8_t changed = 0;
+  for (std::size_t k = 0; k < lanes; ++k)
+    changed = static_cast<std::uint8_t>(changed + ((k < count) & (made[k] != n.here[k])));
+  // Its two ends, which overlap: both are of a fixed length.
+  std::copy_n(made, lanes / 2, next);
+  std::copy_n(made + count - lanes / 2, lanes / 2, next + count - lanes / 2);
+  return changed;
+}
+
+/// One vector of a long row, of which the first `done` cells are done and not counted again.
 template <std::size_t lanes, LaneBehaviour B>
 std::uint64_t evaluate_lanes(const B& behaviour, const Neighbourhood<typename B::State>& n,
                              typename B::State* next, std::size_t done) {
@@ -43,8 +59,9 @@ std::uint64_t evaluate_lanes(const B& behaviour, const Neighbourhood<typename B:
   return changed;
 }
 
+/// Vector after vector, the last one reaching back over cells already done.
 template <std::size_t lanes, LaneBehaviour B>
-std::uint64_t evaluate_in_lanes(const B& behaviour, const Neighbourhood<typename B::State>& n,
+std::uint64_t evaluate_long_row(const B& behaviour, const Neighbourhood<typename B::State>& n,
                                 typename B::State* next, std::size_t count) {
   std::uint64_t changed = 0;
   const auto at = [&](std::size_t k) {
@@ -73,10 +90,14 @@ std::uint64_t evaluate_row(const Surface& surface, std::uint32_t r, const B& beh
   const auto n = neighbourhood_of(row, begin, state);
   State* const out = next + begin;
   if constexpr (LaneBehaviour<B>) {
-    if (count >= 64) return detail::evaluate_in_lanes<64>(behaviour, n, out, count);
-    if (count >= 32) return detail::evaluate_in_lanes<32>(behaviour, n, out, count);
-    if (count >= 16) return detail::evaluate_in_lanes<16>(behaviour, n, out, count);
-    if (count >= 8) return detail::evaluate_in_lanes<8>(behaviour, n, out, count);
+    if (count >= 64) return detail::evaluate_long_row<64>(behaviour, n, out, count);
+    // A vector and the cell beside it must not reach over the end of the field.
+    if (static_cast<std::size_t>(n.above - state) + 64 < surface.slot_count()) {
+      if (count >= 32) return detail::evaluate_short_row<64>(behaviour, n, out, count);
+      if (count >= 16) return detail::evaluate_short_row<32>(behaviour, n, out, count);
+      if (count >= 8) return detail::evaluate_short_row<16>(behaviour, n, out, count);
+      if (count >= 4) return detail::evaluate_short_row<8>(behaviour, n, out, count);
+    }
   }
   std::uint64_t changed = 0;
   for (std::size_t k = 0; k < count; ++k) {

@@ -5,6 +5,9 @@
 #include <tbb/parallel_reduce.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "verdigris/automaton/behaviour.hpp"
 #include "verdigris/automaton/row_evaluation.hpp"
@@ -18,7 +21,13 @@ template <Behaviour B>
 class SweepStepper : public RowStepper<B> {
  public:
   using State = typename B::State;
-  using RowStepper<B>::RowStepper;
+
+  /// As RowStepper.
+  template <typename... Restarts>
+  SweepStepper(const Surface& surface, B behaviour, Field<State> state, std::uint64_t seed,
+               const Restarts&... restart)
+      : RowStepper<B>(surface, std::move(behaviour), std::move(state), seed, restart...),
+        sources_(surface.links().sources_of_targets()) {}
 
   StepReport step() {
     if constexpr (SteppedBehaviour<B>) behaviour_.begin_step(step_ + 1);
@@ -42,7 +51,7 @@ class SweepStepper : public RowStepper<B> {
     ++step_;
     report.changed = total.changed;
     report.visited = total.visited;
-    carrier_.refresh(behaviour_, state_);
+    carrier_.refresh(behaviour_, state_, sources_);
     report.changed += this->make_pairs_common([](std::uint32_t) {});
     return report;
   }
@@ -67,6 +76,8 @@ class SweepStepper : public RowStepper<B> {
   struct Counts {
     std::uint64_t changed = 0, visited = 0;
   };
+
+  std::vector<std::uint32_t> sources_;  // of all ghosts
 };
 
 }  // namespace verdigris

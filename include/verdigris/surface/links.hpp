@@ -75,6 +75,8 @@ class Links {
   std::size_t size() const { return targets_.size(); }
   /// The targets of all sources, one source after the other: spans of `targets` and `for_each` lie in it.
   std::span<const std::uint32_t> all_targets() const { return targets_; }
+  /// [index into all_targets()] the source of each.
+  std::vector<std::uint32_t> sources_of_targets() const;
   std::size_t bytes() const;
 
  private:
