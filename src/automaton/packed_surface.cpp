@@ -1,10 +1,10 @@
 #include "verdigris/automaton/packed_surface.hpp"
 
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
+#include "bit_requests.hpp"
 #include "verdigris/base/error.hpp"
 #include "verdigris/base/large_memory.hpp"
 #include "verdigris/surface/ghost_values.hpp"
@@ -20,8 +20,12 @@ constexpr std::uint32_t none = 0xFFFFFFFFu;
 // Lays out one patch after the other: where the cells of each word are, then what it asks of others for its
 // ghosts. When all have asked, what each patch sends is put in order.
 struct PackedSurface::Builder {
-  // The bits of one word: owned [owned_begin, owned_end), ghosts the others of [begin, end).
+  using Use = BitRequests::Use;
+
+  // The bits of one word: owned [owned_begin, owned_end), ghosts the others of [begin, end), whose sources
+  // are from `first_source` on.
   struct Word {
+    std::uint32_t first_source = 0;
     std::uint8_t begin = 0, end = 0, owned_begin = 0, owned_end = 0;
   };
   // What a ghost repeats: a bit of a patch.
@@ -34,14 +38,6 @@ struct PackedSurface::Builder {
     unsigned begin, end;
     std::uint32_t patch;
   };
-  enum class Place : std::uint32_t { left, right, loose };
-  // Bits that a patch is to send, `asked` from `first` to the next request; they go to the left or right of a
-  // group or to a loose run.
-  struct Request {
-    std::uint32_t patch, first;
-    Place place;
-    std::uint32_t index;
-  };
   // A word of 64 bits is read where a byte begins, so that it holds at least so many of those wanted.
   static constexpr unsigned most_together = 57;
 
@@ -49,13 +45,12 @@ struct PackedSurface::Builder {
   const Surface& surface;
   std::vector<std::uint32_t> source_of = ghost_sources(surface, none);
   std::vector<Word> words = {};          // of the patch being laid out
-  std::vector<Source> sources = {};      // [bit] of the patch
+  std::vector<Source> sources = {};      // of its ghosts
   std::vector<Run> runs = {}, odd = {};  // of one side of a group; of a group, those that do not fit it
-  std::vector<Request> requests = {};
-  std::vector<std::uint32_t> asked = {};
+  BitRequests requests = {};
 
-  // The word columns of a patch, from word `words` of the state on; returns where the next patch begins.
-  std::uint64_t add_columns(std::size_t p, std::uint64_t words) {
+  // The word columns of a patch, from word `word` of the state on; returns where the next patch begins.
+  std::uint64_t add_columns(std::size_t p, std::uint64_t word) {
     const auto rows = surface.rows();
     const std::uint32_t first = surface.row_begin(p), last = surface.row_end(p);
     const auto from_column = [&](std::uint32_t slot, std::uint32_t r) {
@@ -69,16 +64,16 @@ struct PackedSurface::Builder {
     }
     if (left < right) packed.patches_[p].origin = left;
     for (std::int32_t from = left; from < right; from += 64) {
-      Column column{static_cast<std::uint32_t>(words), 0, 0};
+      Column column{static_cast<std::uint32_t>(word), 0, 0};
       for (std::uint32_t r = first; r < last; ++r) {
         const std::int32_t begin = from_column(rows[r].begin, r);
         const std::int32_t end = begin + static_cast<std::int32_t>(rows.data()[r + 1].begin - rows[r].begin);
         if (begin < from + 64 && end > from) column.rows = r - first + 1;
       }
       packed.columns_.push_back(column);
-      words += column.rows;
+      word += column.rows;
     }
-    return words;
+    return word;
   }
 
   Source source_at(std::uint32_t slot) const {
@@ -93,7 +88,7 @@ struct PackedSurface::Builder {
     const auto rows = surface.rows();
     const std::uint32_t begin = packed.word_begin(p), end = packed.word_begin(p + 1);
     words.assign(end - begin, Word{});
-    sources.assign(std::size_t{64} * (end - begin), Source{});
+    sources.clear();
     for (std::uint32_t r = surface.row_begin(p); r < surface.row_end(p); ++r) {
       const Row& row = rows[r];
       for (std::uint32_t slot = row.begin; slot < rows.data()[r + 1].begin; ++slot) {
@@ -102,13 +97,16 @@ struct PackedSurface::Builder {
             64 * begin;
         Word& word = words[bit / 64];
         const auto at = static_cast<std::uint8_t>(bit % 64);
-        if (word.end == 0) word.begin = at;
+        if (word.end == 0) {
+          word.begin = at;
+          word.first_source = static_cast<std::uint32_t>(sources.size());
+        }
         word.end = static_cast<std::uint8_t>(at + 1);
         if (slot >= row.run_begin && slot < row.run_end) {
           if (word.owned_end == 0) word.owned_begin = at;
           word.owned_end = static_cast<std::uint8_t>(at + 1);
-        } else if (source_of[slot] != none) {
-          sources[bit] = source_at(source_of[slot]);
+        } else {
+          sources.push_back(source_of[slot] == none ? Source{} : source_at(source_of[slot]));
         }
       }
     }
@@ -117,13 +115,19 @@ struct PackedSurface::Builder {
       if (word.owned_end == 0) word.owned_begin = word.owned_end = 64;
   }
 
+  const Source& source(std::uint32_t word, unsigned ghost) const {
+    const Word& w = words[word];
+    const unsigned owned = ghost < w.owned_begin ? 0 : w.owned_end - w.owned_begin;
+    return sources[w.first_source + (ghost - w.begin) - owned];
+  }
+
   // Calls visit(run) for the parts of bits [begin, end) of a word that come from one patch each. Ghosts of
   // nothing go with those beside them.
   template <typename Visit>
   void each_run(std::uint32_t p, std::uint32_t word, unsigned begin, unsigned end, Visit&& visit) {
     std::uint32_t patch = none;
     for (unsigned bit = begin; bit < end; ++bit) {
-      const std::uint32_t its = sources[64 * word + bit].patch;
+      const std::uint32_t its = source(word, bit).patch;
       if (its == none || its == patch) continue;
       if (patch != none) {
         visit(Run{word, begin, bit, patch});
@@ -136,14 +140,10 @@ struct PackedSurface::Builder {
 
   // Bit 0 of a patch is never owned: ghosts of nothing repeat it.
   void ask_for(const Run& run) {
-    for (unsigned bit = run.begin; bit < run.end; ++bit) asked.push_back(sources[64 * run.word + bit].bit);
-  }
-  void begin_request(std::uint32_t patch, Place place, std::size_t index) {
-    requests.push_back(
-        {patch, static_cast<std::uint32_t>(asked.size()), place, static_cast<std::uint32_t>(index)});
+    for (unsigned bit = run.begin; bit < run.end; ++bit) requests.add(source(run.word, bit).bit);
   }
   void add_loose(const Run& run, std::uint32_t at) {
-    begin_request(run.patch, Place::loose, packed.loose_.size());
+    requests.begin(run.patch, Use::loose, packed.loose_.size());
     ask_for(run);
     packed.loose_.push_back(
         {at, 0, static_cast<std::uint8_t>(run.begin), static_cast<std::uint8_t>(run.end)});
@@ -167,7 +167,7 @@ struct PackedSurface::Builder {
 
   // The ghosts on one side of eight words: what its main sender has for it comes side by side, if it fits.
   template <typename Ends>
-  void add_side(std::uint32_t p, Place place, std::uint32_t first_word, std::uint32_t count,
+  void add_side(std::uint32_t p, Use side, std::uint32_t first_word, std::uint32_t count,
                 std::uint8_t (&turn)[8], Ends&& ends) {
     runs.clear();
     for (std::uint32_t k = 0; k < count; ++k) {
@@ -175,15 +175,15 @@ struct PackedSurface::Builder {
       each_run(p, first_word + k, begin, end, [&](const Run& run) { runs.push_back(run); });
     }
     const std::uint32_t sender = main_sender();
-    const std::size_t first = asked.size();
+    const std::size_t first = requests.bit_count();
     std::uint32_t placed = none;
     for (const Run& run : runs) {
-      const std::size_t at = asked.size() - first;
+      const std::size_t at = requests.bit_count() - first;
       if (run.patch != sender || run.word == placed || at + (run.end - run.begin) > most_together) {
         odd.push_back(run);
         continue;
       }
-      if (at == 0) begin_request(sender, place, packed.groups_.size());
+      if (at == 0) requests.begin(sender, side, packed.groups_.size());
       turn[run.word - first_word] = static_cast<std::uint8_t>((64 + run.begin - at) % 64);
       ask_for(run);
       placed = run.word;
@@ -197,10 +197,10 @@ struct PackedSurface::Builder {
       group.owned_end[k] = words[first_word + k].owned_end;
     }
     odd.clear();
-    add_side(p, Place::left, first_word, count, group.left_turn, [](const Word& w) {
+    add_side(p, Use::left, first_word, count, group.left_turn, [](const Word& w) {
       return std::pair<unsigned, unsigned>(w.begin, std::min(w.end, w.owned_begin));
     });
-    add_side(p, Place::right, first_word, count, group.right_turn,
+    add_side(p, Use::right, first_word, count, group.right_turn,
              [](const Word& w) { return std::pair<unsigned, unsigned>(w.owned_end, w.end); });
     packed.groups_.push_back(group);
     for (const Run& run : odd) add_loose(run, copy_at + run.word - first_word);
@@ -236,13 +236,13 @@ struct PackedSurface::Builder {
   }
 
   // Tells a group or a loose run that its bits begin at bit `at` of the stream.
-  void tell(const Request& request, std::uint32_t at) {
-    if (request.place == Place::loose) {
+  void tell(const BitRequests::Request& request, std::uint32_t at) {
+    if (request.use == Use::loose) {
       packed.loose_[request.index].bit = at;
       return;
     }
     Group& group = packed.groups_[request.index];
-    const bool left = request.place == Place::left;
+    const bool left = request.use == Use::left;
     (left ? group.left_byte : group.right_byte) = at / 8;
     for (std::uint8_t& turn : left ? group.left_turn : group.right_turn)
       turn = static_cast<std::uint8_t>((64 + turn - at % 8) % 64);
@@ -250,22 +250,18 @@ struct PackedSurface::Builder {
 
   // What each patch sends: request by request as they were made.
   void send() {
-    const std::size_t count = packed.patch_count();
-    std::vector<std::uint32_t> begin(count + 1, 0), order(requests.size()), sent;
-    for (const Request& request : requests) ++begin[request.patch + 1];
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    for (std::uint32_t k = 0; k < requests.size(); ++k) order[begin[requests[k].patch]++] = k;
-    begin_request(none, Place::loose, 0);
-    auto next = order.begin();
-    for (std::uint32_t p = 0; p < count; ++p) {
-      sent.clear();
-      for (; next != order.end() && requests[*next].patch == p; ++next) {
-        tell(requests[*next], packed.sent_.begin(p) + static_cast<std::uint32_t>(sent.size()));
-        sent.insert(sent.end(), asked.begin() + requests[*next].first,
-                    asked.begin() + requests[*next + 1].first);
-      }
-      packed.sent_.add_patch(sent);
-    }
+    std::vector<std::uint32_t> sent;
+    requests.by_sender(
+        packed.patch_count(),
+        [&](const BitRequests::Request& request, std::span<const std::uint32_t> bits) {
+          const std::size_t stream_begin = packed.sent_.begin(packed.sent_.patch_count());
+          tell(request, static_cast<std::uint32_t>(stream_begin + sent.size()));
+          sent.insert(sent.end(), bits.begin(), bits.end());
+        },
+        [&](std::uint32_t) {
+          packed.sent_.add_patch(sent);
+          sent.clear();
+        });
   }
 };
 

@@ -118,7 +118,9 @@ std::uint64_t evolve(const PackedSurface& cells, std::size_t patch, const Table&
                      const std::uint64_t* copy, std::uint64_t* state) {
   const PackedSurface::Group* group = cells.groups(patch);
   Rows changed{};
-  const std::size_t to_next = cells.word_begin(patch + 1) - cells.word_begin(patch);
+  // The patch that comes next is fetched while this one is made; the state of a large one would not stay.
+  const std::size_t words = cells.word_begin(patch + 1) - cells.word_begin(patch);
+  const std::size_t to_next = patch + 1 < cells.patch_count() && words <= 32768 ? words : 0;
   const std::uint64_t* left_column = copy;  // what stands left of the first is read, but never counts
   for (const PackedSurface::Column& column : cells.columns(patch)) {
     const std::uint64_t* right_column = copy + column.pitch();
@@ -194,7 +196,9 @@ void PackedLife::set(std::uint32_t bit, bool alive) {
     state_[bit >> 6] |= one;
   else
     state_[bit >> 6] &= ~one;
-  std::atomic_ref(up_to_date_).store(false, std::memory_order_relaxed);
+  // Written once: others set cells at the same time.
+  const std::atomic_ref<bool> up_to_date(up_to_date_);
+  if (up_to_date.load(std::memory_order_relaxed)) up_to_date.store(false, std::memory_order_relaxed);
 }
 
 void PackedLife::fill(double density, std::uint64_t seed) {
@@ -248,9 +252,9 @@ std::uint64_t PackedLife::step() {
     tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& range) {
       for (std::size_t patch = range.begin(); patch < range.end(); ++patch) send(patch);
     });
-    up_to_date_ = true;
   }
   std::swap(received_, sent_);
+  up_to_date_ = false;  // until all patches have sent
   const Table table(rule_);
   const auto* stream = reinterpret_cast<const unsigned char*>(received_.data());
   const auto advance = [&]<LifeNeighbourhood neighbourhood>(std::size_t patch, std::uint64_t* copy) {
@@ -271,6 +275,7 @@ std::uint64_t PackedLife::step() {
         return sum;
       },
       std::plus<>());
+  up_to_date_ = true;
   ++steps_;
   return changed;
 }

@@ -87,6 +87,34 @@ TEST(FlatTorus, IsOneLattice) {
   EXPECT_THROW(make_flat_torus(12, 10, 4), InputError);
 }
 
+// What is put between two steps reaches the ghosts too.
+TEST(PackedLife, GoesOnFromWhatIsPutBetweenSteps) {
+  const Torus t(128, 128, 64);
+  const LifeRule rule = parse_life_rule("B3/S23");
+  PackedLife life(t.packed, rule);
+  life.fill(0.5, 1);
+  const auto go_on = [&](const char* after) {
+    auto cells = t.get(life);
+    for (int step = 0; step < 5; ++step) {
+      cells = reference_step(cells, 128, 128, rule);
+      life.step();
+      ASSERT_EQ(t.get(life), cells) << after << ", step " << step;
+    }
+  };
+  go_on("fill");
+  const std::vector<std::uint64_t> kept = life.state();
+  life.fill(0.3, 2);
+  go_on("another fill");
+  std::vector<std::uint8_t> soup(t.bit.size());
+  for (std::size_t k = 0; k < soup.size(); ++k)
+    soup[k] = CellRandom(5, 0, static_cast<std::uint32_t>(k)).words(1)[0] < threshold(0.4);
+  t.put(life, soup);
+  go_on("set");
+  life.restore(kept, 5);
+  EXPECT_EQ(life.steps(), 5u);
+  go_on("restore");
+}
+
 TEST(PackedLife, AgreesWithAPlainTorus) {
   for (const char* rule :
        {"B3/S23", "B378/S235678", "B357/S1358", "B2/S", "B3678/S34678", "B08/S08", "B13/S024V"})

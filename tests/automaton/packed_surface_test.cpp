@@ -112,11 +112,11 @@ TEST(PackedSurface, LaysEveryGhostBesideItsCells) {
     Mesh mesh;
     double cell_size;
   } all[] = {{shapes::torus(3, 1, 30, 20), 0.03},    // about 20 rows, one word wide
-             {shapes::cube(1), 0.004},               // several words wide, sources far away
+             {shapes::cube(1), 0.004},               // several words wide
              {shapes::square(1), 0.02},              // boundaries
              {shapes::random_plane(9, 40, 2), 1.0},  // no two frames agree
              {shapes::torus(3, 1, 400, 3), 0.02},    // slivers: rows with long runs of ghosts
-             {two_long_slivers(), 1.0}};             // more ghosts than a Group can tell of
+             {two_long_slivers(), 1.0}};             // patches of more than 2^16 bits
   std::size_t inside = 0, groups = 0, loose = 0;
   for (const auto& [mesh, h] : all) {
     const Surface s = make_surface(mesh, {.cell_size = h});

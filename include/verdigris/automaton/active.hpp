@@ -28,6 +28,12 @@ class ActiveStepper : public RowStepper<B> {
   using State = typename B::State;
   using RowStepper<B>::RowStepper;
 
+  /// Bytes of states and lists.
+  std::size_t bytes() const {
+    return RowStepper<B>::bytes() + active_.size() * sizeof(active_[0]) +
+           (rows_.capacity() + changed_.capacity()) * sizeof(rows_[0]);
+  }
+
   StepReport step() {
     if constexpr (SteppedBehaviour<B>) behaviour_.begin_step(step_ + 1);
     StepReport report{step_ + 1, 0, 0};

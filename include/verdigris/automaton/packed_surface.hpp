@@ -70,8 +70,8 @@ class PackedSurface {
   std::span<const LooseRun> loose_runs(std::size_t p) const {
     return {loose_.data() + patches_[p].loose_begin, loose_.data() + patches_[p + 1].loose_begin};
   }
-  /// What each patch sends to others. Ghosts beyond a boundary are sent bit 0 of a patch, which is always
-  /// empty.
+  /// What each patch sends to others. Ghosts that repeat no cell are sent bit 0 of a patch, which is
+  /// always empty.
   const SentBits& sent() const { return sent_; }
   std::size_t word_count() const { return columns_.back().word_begin; }
   std::size_t owned_count() const { return owned_count_; }

@@ -32,8 +32,8 @@ concept LaneBehaviour = Behaviour<B> &&
 
 namespace detail {
 
-/// A whole row as one vector of `lanes`, no longer than it and at least half as long. It reaches over cells
-/// behind the row, which are read and come to nothing.
+/// A row of less than `lanes` cells, and at least half as many, as one vector. What it makes of the cells
+/// behind the row comes to nothing.
 template <std::size_t lanes, LaneBehaviour B>
 std::uint64_t evaluate_short_row(const B& behaviour, const Neighbourhood<typename B::State>& n,
                                  typename B::State* next, std::size_t count) {

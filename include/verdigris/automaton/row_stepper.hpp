@@ -41,6 +41,10 @@ class RowStepper {
   std::uint64_t steps() const { return step_; }
   Restart restart() const { return {step_, {}}; }
   const B& behaviour() const { return behaviour_; }
+  /// Bytes of states.
+  std::size_t bytes() const {
+    return (state_.capacity() + next_.capacity()) * sizeof(State) + carrier_.bytes();
+  }
 
  protected:
   /// Calls changed(slot) for each cell that took a partner's state; returns how many did.

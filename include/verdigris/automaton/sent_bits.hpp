@@ -19,7 +19,7 @@ class SentBits {
   /// What one more patch sends. Its stream begins at a multiple of 16 bits.
   void add_patch(std::span<const std::uint32_t> bits);
 
-  /// No more patches come: gives back the room for them.
+  /// No more patches come. Before any gather().
   void settle();
 
   std::size_t patch_count() const { return patches_.size() - 1; }

@@ -99,7 +99,7 @@ class RuleSimulation final : public AnySimulation {
     return ended_;
   }
   std::uint64_t steps() const override { return stepper_->steps(); }
-  std::size_t bytes() const override { return 2 * stepper_->state().size() * sizeof(State); }
+  std::size_t bytes() const override { return stepper_->bytes(); }
   std::vector<FieldInfo> fields() const override { return {{"state", "1", "state of the cell"}}; }
   Field<std::int32_t> field(std::string_view name) const override {
     if (name != "state") throw std::out_of_range(std::string(name));

@@ -21,13 +21,10 @@ template <Behaviour B>
 class SweepStepper : public RowStepper<B> {
  public:
   using State = typename B::State;
+  using RowStepper<B>::RowStepper;
 
-  /// As RowStepper.
-  template <typename... Restarts>
-  SweepStepper(const Surface& surface, B behaviour, Field<State> state, std::uint64_t seed,
-               const Restarts&... restart)
-      : RowStepper<B>(surface, std::move(behaviour), std::move(state), seed, restart...),
-        sources_(surface.links().sources_of_targets()) {}
+  /// Bytes of states and of what finds ghosts.
+  std::size_t bytes() const { return RowStepper<B>::bytes() + sources_.capacity() * sizeof(sources_[0]); }
 
   StepReport step() {
     if constexpr (SteppedBehaviour<B>) behaviour_.begin_step(step_ + 1);
@@ -77,7 +74,10 @@ class SweepStepper : public RowStepper<B> {
     std::uint64_t changed = 0, visited = 0;
   };
 
-  std::vector<std::uint32_t> sources_;  // of all ghosts
+  // Of all ghosts; none where links make pairs.
+  std::vector<std::uint32_t> sources_ = surface_.link_kind() == LinkKind::unfolded
+                                            ? surface_.links().sources_of_targets()
+                                            : std::vector<std::uint32_t>{};
 };
 
 }  // namespace verdigris

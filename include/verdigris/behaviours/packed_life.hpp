@@ -24,7 +24,8 @@ class PackedLife {
   std::uint64_t population() const;
 
   bool alive(std::uint32_t bit) const { return (state_[bit >> 6] >> (bit & 63)) & 1u; }
-  void set(std::uint32_t bit, bool alive);  ///< of an owned cell
+  /// Of an owned cell. Threads may set cells of different words at the same time.
+  void set(std::uint32_t bit, bool alive);
   /// Each owned cell alive with probability `density`, from random numbers keyed by seed and word.
   void fill(double density, std::uint64_t seed);
 
