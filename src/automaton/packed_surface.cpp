@@ -1,6 +1,8 @@
 #include "verdigris/automaton/packed_surface.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -91,24 +93,33 @@ struct PackedSurface::Builder {
     sources.clear();
     for (std::uint32_t r = surface.row_begin(p); r < surface.row_end(p); ++r) {
       const Row& row = rows[r];
-      for (std::uint32_t slot = row.begin; slot < rows.data()[r + 1].begin; ++slot) {
-        const std::uint32_t bit =
-            packed.bit_at(p, r - surface.row_begin(p), static_cast<std::int32_t>(slot - row.base)) -
-            64 * begin;
-        Word& word = words[bit / 64];
-        const auto at = static_cast<std::uint8_t>(bit % 64);
-        if (word.end == 0) {
-          word.begin = at;
-          word.first_source = static_cast<std::uint32_t>(sources.size());
+      // Calls visit(word, first bit, one past the last, first slot) for the words that slots lie in.
+      const auto each_word = [&](std::uint32_t slot, std::uint32_t last, auto&& visit) {
+        while (slot < last) {
+          const std::uint32_t bit =
+              packed.bit_at(p, r - surface.row_begin(p), static_cast<std::int32_t>(slot - row.base)) -
+              64 * begin;
+          Word& word = words[bit / 64];
+          const unsigned from = bit % 64, to = std::min(64u, from + (last - slot));
+          if (word.end == 0) {
+            word.begin = static_cast<std::uint8_t>(from);
+            word.first_source = static_cast<std::uint32_t>(sources.size());
+          }
+          word.end = static_cast<std::uint8_t>(to);
+          visit(word, from, to, slot);
+          slot += to - from;
         }
-        word.end = static_cast<std::uint8_t>(at + 1);
-        if (slot >= row.run_begin && slot < row.run_end) {
-          if (word.owned_end == 0) word.owned_begin = at;
-          word.owned_end = static_cast<std::uint8_t>(at + 1);
-        } else {
-          sources.push_back(source_of[slot] == none ? Source{} : source_at(source_of[slot]));
-        }
-      }
+      };
+      const auto add_ghosts = [&](Word&, unsigned from, unsigned to, std::uint32_t slot) {
+        for (const std::uint32_t source : std::span(source_of).subspan(slot, to - from))
+          sources.push_back(source == none ? Source{} : source_at(source));
+      };
+      each_word(row.begin, row.run_begin, add_ghosts);
+      each_word(row.run_begin, row.run_end, [](Word& word, unsigned from, unsigned to, std::uint32_t) {
+        word.owned_begin = static_cast<std::uint8_t>(from);
+        word.owned_end = static_cast<std::uint8_t>(to);
+      });
+      each_word(row.run_end, rows.data()[r + 1].begin, add_ghosts);
     }
     // A word without owned bits has its ghosts on the left.
     for (Word& word : words)
