@@ -10,7 +10,7 @@ using namespace verdigris;
 
 // Cells in all; cells a patch; threads.
 void sizes(benchmark::internal::Benchmark* b) {
-  for (const std::int64_t cells : {100'000, 1'000'000, 10'000'000}) b->Args({cells, 1000, 1});
+  for (const std::int64_t cells : {100'000, 1'000'000, 10'000'000, 30'000'000}) b->Args({cells, 1000, 1});
   b->Args({1'000'000, 14, 1})->Args({1'000'000, 50'000, 1})->Args({10'000'000, 1000, 2});
   b->Unit(benchmark::kMillisecond);
 }
@@ -33,7 +33,7 @@ void corrode(benchmark::State& state) {
     steps = growth.steps();
   }
   const auto owned = static_cast<double>(s.owned_count());
-  bench::report(state, owned, static_cast<double>(s.bytes() + bytes));
+  bench::report_cells(state, owned, static_cast<double>(s.bytes() + bytes), threads);
   state.counters["ns/cell"] = benchmark::Counter(owned * static_cast<double>(state.iterations()) * 1e-9,
                                                  benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
   state.counters["visits/cell"] = static_cast<double>(visited) / owned;

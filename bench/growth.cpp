@@ -31,7 +31,8 @@ void grow(benchmark::State& state) {
     while (!growth.finished()) growth.step();
     bytes = growth.bytes();
   }
-  bench::report(state, static_cast<double>(s.owned_count()), static_cast<double>(s.bytes() + bytes));
+  bench::report_cells(state, static_cast<double>(s.owned_count()), static_cast<double>(s.bytes() + bytes),
+                      threads);
 }
 BENCHMARK(grow)->Apply(sizes);
 

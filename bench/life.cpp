@@ -24,7 +24,7 @@ void run(benchmark::State& state, const PackedSurface& packed, const char* rule,
   const double cells = static_cast<double>(packed.owned_count()),
                bytes = static_cast<double>(packed.bytes() + life.bytes());
   const auto state_bytes = static_cast<double>(8 * life.state().size());
-  bench::report(state, cells, bytes, (bytes + state_bytes) / cells, threads);
+  bench::report(state, "cell", cells, bytes, bytes + state_bytes, threads);
   state.SetLabel(rule);
 }
 
@@ -91,7 +91,7 @@ void flat(benchmark::State& state) {
     now.swap(next);
     benchmark::DoNotOptimize(now.data());
   }
-  bench::report(state, static_cast<double>(side * side), 16.0 * static_cast<double>(now.size()));
+  bench::report_cells(state, static_cast<double>(side * side), 16.0 * static_cast<double>(now.size()));
   state.SetLabel("Life, no surface");
 }
 BENCHMARK(flat)->Unit(benchmark::kMillisecond);

@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <cstring>
+#include <string>
 #include <vector>
 
 namespace bench {
@@ -30,17 +31,21 @@ inline double copy_bandwidth(std::size_t threads) {
   return known[threads];
 }
 
-/// Reports cells a second and bytes a cell; with `moved` bytes a cell and step also the share of the copy
-/// bandwidth.
-inline void report(benchmark::State& state, double cells, double bytes, double moved = 0.0,
+/// Reports things a second, how many bytes each takes, and which share of the copy bandwidth an iteration
+/// reaches that must move `moved` bytes.
+inline void report(benchmark::State& state, const char* things, double count, double bytes, double moved,
                    std::size_t threads = 1) {
   using benchmark::Counter;
-  state.counters["cells"] = cells;
-  state.counters["cells/s"] = Counter(cells * static_cast<double>(state.iterations()), Counter::kIsRate);
-  state.counters["B/cell"] = bytes / cells;
-  if (moved > 0.0)
-    state.counters["of_copy"] = Counter(
-        cells * moved * static_cast<double>(state.iterations()) / copy_bandwidth(threads), Counter::kIsRate);
+  const auto iterations = static_cast<double>(state.iterations());
+  const std::string name = things;
+  state.counters[name + "s"] = count;
+  state.counters[name + "s/s"] = Counter(count * iterations, Counter::kIsRate);
+  state.counters["B/" + name] = bytes / count;
+  state.counters["of_copy"] = Counter(moved * iterations / copy_bandwidth(threads), Counter::kIsRate);
+}
+/// The same for cells; what they take is moved once.
+inline void report_cells(benchmark::State& state, double cells, double bytes, std::size_t threads = 1) {
+  report(state, "cell", cells, bytes, bytes, threads);
 }
 
 }  // namespace bench

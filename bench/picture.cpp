@@ -22,7 +22,7 @@ void bands(benchmark::State& state) {
     bytes = 0;
     for (const BandRange& range : band_ranges(s)) bytes += builder.build(range).bytes();
   }
-  bench::report(state, static_cast<double>(s.owned_count()), static_cast<double>(bytes));
+  bench::report_cells(state, static_cast<double>(s.owned_count()), static_cast<double>(bytes));
 }
 BENCHMARK(bands)
     ->Arg(100'000)
@@ -38,10 +38,15 @@ void picture(benchmark::State& state) {
   RenderOptions options;
   options.cache_bytes = 0;
   for (auto _ : state) benchmark::DoNotOptimize(render(s, colours, camera, options));
-  bench::report(state, static_cast<double>(s.owned_count()),
-                static_cast<double>(s.bytes() + 4 * s.slot_count()));
+  bench::report_cells(state, static_cast<double>(s.owned_count()),
+                      static_cast<double>(s.bytes() + 4 * s.slot_count()));
 }
-BENCHMARK(picture)->Arg(100'000)->Arg(1'000'000)->Arg(10'000'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(picture)
+    ->Arg(100'000)
+    ->Arg(1'000'000)
+    ->Arg(10'000'000)
+    ->Arg(30'000'000)
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 

@@ -31,7 +31,7 @@ void build(benchmark::State& state) {
     cells = static_cast<double>(s.owned_count());
     bytes = static_cast<double>(s.bytes());
   }
-  bench::report(state, cells, bytes);
+  bench::report_cells(state, cells, bytes);
 }
 BENCHMARK(build)->Apply(sizes);
 
@@ -46,10 +46,8 @@ void refresh_ghosts(benchmark::State& state) {
     });
     benchmark::ClobberMemory();
   }
-  bench::report(state, static_cast<double>(s.owned_count()), static_cast<double>(s.links().bytes()));
-  state.counters["ghosts/s"] =
-      benchmark::Counter(static_cast<double>(s.ghost_count()) * static_cast<double>(state.iterations()),
-                         benchmark::Counter::kIsRate);
+  const auto links = static_cast<double>(s.links().bytes()), ghosts = static_cast<double>(s.ghost_count());
+  bench::report(state, "ghost", ghosts, links, links + 2.0 * sizeof(float) * ghosts);
 }
 BENCHMARK(refresh_ghosts)->Apply(sizes);
 

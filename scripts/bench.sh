@@ -16,7 +16,7 @@ echo "# Measured on $(date +%F)"
 echo
 echo "$(nproc) x $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(g++ --version | head -n 1)"
 echo
-echo "| benchmark | ms | cells/s | bytes/cell | share of copy bandwidth | other |"
+echo "| benchmark | ms | cells/s (triangles, ghosts) | bytes each | share of copy bandwidth | other |"
 echo "|---|---|---|---|---|---|"
 
 # One row for each line of Google Benchmark's JSON.
@@ -26,10 +26,10 @@ rows() {
     /"name": / { name = value($0) }
     /"label": / { name = name " " value($0) }
     /"real_time": / { ms = value($0) }
-    /"cells\/s": / { rate = sprintf("%.3g", value($0)) }
-    /"B\/cell": / { bytes = sprintf("%.2f", value($0)) }
-    /"of_copy": / { share = sprintf("%.2f", value($0)) }
-    /"(triangles\/s|ghosts\/s|mislabelled|factor_s|solves_s|vertices|Msamples\/s)": / {
+    /"(cells|triangles|ghosts)\/s": / { rate = sprintf("%.3g", value($0)) }
+    /"B\/(cell|triangle|ghost)": / { bytes = sprintf("%.2f", value($0)) }
+    /"of_copy": / { share = sprintf("%.2g", value($0)) }
+    /"(mislabelled|factor_s|solves_s|vertices|Msamples\/s)": / {
       key = $1; gsub(/[":]/, "", key); other = other sprintf("%s %.3g ", key, value($0)) }
     /^ *}/ { if (name != "" && ms != "") printf "| %s | %.3g | %s | %s | %s | %s |\n", name, ms, rate, bytes, share, other
              name = ms = rate = bytes = share = other = "" }' | tee -a "$scratch/table"
