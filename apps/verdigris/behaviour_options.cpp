@@ -41,6 +41,9 @@ void finish_model(BehaviourOptions& options, const BehaviourEntry& entry) {
                      "name a model file, or give --torus WxH for a flat periodic grid");
   scene.mesh = options.mesh;
   if (options.torus.empty()) return;
+  if (!options.surface.cells.empty() || !options.surface.cell_size.empty())
+    throw InputError("--torus", "its size says how many cells there are, of side 1",
+                     "leave --cells and --cell-size out");
   int width = 0, height = 0;
   parse_torus(options.torus, width, height);
   scene.torus.width = static_cast<std::uint32_t>(width);

@@ -71,7 +71,12 @@ void check_inputs(const Scene& scene, const std::filesystem::path& out) {
 ResultPlace::ResultPlace(std::filesystem::path path)
     : path_(std::move(path)), made_(!std::filesystem::exists(path_)) {
   make_directory(path_);
-  for (const std::string_view name : files) remove_abandoned(path_ / name);
+  for (const std::string_view name : files) {
+    if (std::filesystem::is_directory(path_ / name))
+      throw InputError((path_ / name).string(), "is a directory, and results go into files of such names",
+                       "choose another directory, or rename this one");
+    remove_abandoned(path_ / name);
+  }
 }
 
 ResultPlace::~ResultPlace() {

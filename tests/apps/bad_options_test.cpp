@@ -99,6 +99,18 @@ TEST_F(BadOptions, OutputsThatCannotBeWritten) {
     SCOPED_TRACE(out);
     expect_refused(verdigris({"voronoi", model, "--cells", "600", "--no-picture", "--out", out}), out, out_);
   }
+  // Directories where results go: refused before the run, and nothing of them is lost.
+  for (const std::string name : {"cells.vtp", "run.toml", "checkpoint.vgc"}) {
+    SCOPED_TRACE(name);
+    const std::string out = place_.path("for-" + name), taken = out + "/" + name;
+    std::filesystem::create_directories(taken);
+    const Outcome run = verdigris({"voronoi", model, "--cells", "600", "--no-picture", "--out", out});
+    EXPECT_EQ(run.status, 2);
+    EXPECT_NE(run.err.find(taken), std::string::npos) << run.err;
+    EXPECT_TRUE(std::filesystem::is_directory(taken));
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(out), std::filesystem::directory_iterator()),
+              1);
+  }
 }
 
 }  // namespace

@@ -66,6 +66,8 @@ TEST(Life, RefusesBadInput) {
   refused({"life"}, "life");
   refused({"life", place.cube(), "--torus", "64x64"}, "life");
   refused({"life", "--torus", "64"}, "--torus");
+  refused({"life", "--torus", "64x64", "--cells", "100"}, "--torus");
+  refused({"life", "--torus", "64x64", "--cell-size", "3"}, "--torus");
   refused({"life", "--torus", "100x100"}, "flat torus");
   refused({"life", "--torus", "64x64", "--rule", "B3"}, "rule");
   refused({"life", "--torus", "64x64", "--rule", "R12,S1,B1"}, "rule");

@@ -161,6 +161,7 @@ TEST(CorrosionRule, AFrontGivesTheBitsOfAFullSweep) {
   const std::uint64_t never = ~std::uint64_t{0};
   const std::vector<Case> cases{{"torus", shapes::torus(3, 1, 20, 12), 0.06, slow, never},
                                 {"torus, metal runs out", shapes::torus(3, 1, 20, 12), 0.06, slow, 30},
+                                {"torus, metal runs out early", shapes::torus(3, 1, 20, 12), 0.06, slow, 3},
                                 {"cube, strong cells hold", shapes::cube(1), 0.02, ring, never},
                                 {"cube, both", shapes::cube(1), 0.02, ring, 40},
                                 {"plane, no luck", shapes::random_plane(9, 40, 2), 1.0, calm, never},

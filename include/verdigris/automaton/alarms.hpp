@@ -3,32 +3,33 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
+#include <map>
 #include <vector>
 
 namespace verdigris {
 
-/// A list of slots for each of the coming steps. A slot may stand in it more than once.
+/// A list of slots for each coming step that has some. A slot may stand in it more than once.
 class Alarms {
  public:
   /// To be taken after `steps` more steps; 0: with the next one.
   void set(std::uint32_t slot, std::uint64_t steps) {
-    if (lists_.size() <= steps) lists_.resize(steps + 1);
-    lists_[steps].push_back(slot);
+    // Most are for the last step that has a list, or for one behind it.
+    lists_.try_emplace(lists_.end(), taken_ + steps)->second.push_back(slot);
   }
 
   /// Calls visit(slot) for the slots of the next step, which is then past.
   template <typename Visit>
   void take(Visit&& visit) {
-    if (lists_.empty()) return;
-    for (const std::uint32_t slot : lists_.front()) visit(slot);
-    lists_.pop_front();
+    const auto list = lists_.find(taken_++);
+    if (list == lists_.end()) return;
+    for (const std::uint32_t slot : list->second) visit(slot);
+    lists_.erase(list);
   }
 
   /// Whether `which(slot)` holds for any of them.
   template <typename Which>
   bool any(Which&& which) const {
-    for (const auto& list : lists_)
+    for (const auto& [step, list] : lists_)
       for (const std::uint32_t slot : list)
         if (which(slot)) return true;
     return false;
@@ -36,12 +37,14 @@ class Alarms {
 
   std::size_t bytes() const {
     std::size_t sum = 0;
-    for (const auto& list : lists_) sum += sizeof(list) + list.capacity() * sizeof(list[0]);
+    for (const auto& [step, list] : lists_) sum += sizeof(list) + list.capacity() * sizeof(list[0]);
     return sum;
   }
 
  private:
-  std::deque<std::vector<std::uint32_t>> lists_;
+  std::map<std::uint64_t, std::vector<std::uint32_t>>
+      lists_;  // by the step, counted from the first one taken
+  std::uint64_t taken_ = 0;
 };
 
 }  // namespace verdigris

@@ -25,8 +25,8 @@ namespace verdigris {
 /// defence no force can exceed *holds* until a helper falls.
 ///
 /// State: one word. Bits 0..7: the neighbours it will attack, counter-clockwise from the right; 8: strong; 9:
-/// a sound cell holds, a corroded one is spent (no sound neighbour, or no metal, is left); 10: corroded and
-/// idle, as all its sound neighbours hold; from 11: step in which it corroded, plus one.
+/// a sound cell holds, a corroded one is spent (no sound neighbour, or no metal to overcome one, is left);
+/// 10: corroded and idle, as all its sound neighbours hold; from 11: step in which it corroded, plus one.
 ///
 /// Across edges neighbours need not see each other: the grids are turned. So that no cell stays out of reach
 /// for ever, one that is idle or spent for want of neighbours attacks all around, as long as it has metal.
@@ -181,10 +181,12 @@ inline CorrosionRule::State CorrosionRule::strike(const Neighbourhood<State>& n,
   }
   const State here = *n.here & ~(State{0xFF} | idle_bit);
   const std::uint64_t age = now - birth(here);
-  const bool gone = age >= lifetime_at(random.cell());
+  const std::uint64_t lifetime = lifetime_at(random.cell());
+  const bool gone = age >= lifetime;
   if (valid == 0) return here | done_bit | (gone ? 0 : 0xFFu);
   if (open == 0) return here | idle_bit | (valid == 0xFFu ? 0x7Fu : 0xFFu);
-  if (gone) return here | done_bit;
+  // Spent, too, is one that will have no metal left when it could overcome someone.
+  if (gone || lifetime < ripe_) return here | done_bit;
   // It attacks in the next step, a step older.
   if (age + 1 < ripe_) return here;
   return here | draw(attacked(static_cast<std::uint32_t>(std::popcount(valid)), age + 1), random);
