@@ -14,6 +14,11 @@ Surface model(double cells) {
   return make_surface(mesh, {.cell_size = cell_size_for(mesh, cells)});
 }
 
+void sizes(benchmark::internal::Benchmark* b) {
+  for (const std::int64_t cells : {100'000, 1'000'000, 10'000'000, 30'000'000}) b->Arg(cells);
+  b->Unit(benchmark::kMillisecond);
+}
+
 void bands(benchmark::State& state) {
   const Surface s = model(static_cast<double>(state.range(0)));
   const BandBuilder builder(s, corner_normals(s.mesh(), s.adjacency()));
@@ -24,12 +29,7 @@ void bands(benchmark::State& state) {
   }
   bench::report_cells(state, static_cast<double>(s.owned_count()), static_cast<double>(bytes));
 }
-BENCHMARK(bands)
-    ->Arg(100'000)
-    ->Arg(1'000'000)
-    ->Arg(10'000'000)
-    ->Arg(30'000'000)
-    ->Unit(benchmark::kMillisecond);
+BENCHMARK(bands)->Apply(sizes);
 
 void picture(benchmark::State& state) {
   const Surface s = model(static_cast<double>(state.range(0)));
@@ -41,12 +41,7 @@ void picture(benchmark::State& state) {
   bench::report_cells(state, static_cast<double>(s.owned_count()),
                       static_cast<double>(s.bytes() + 4 * s.slot_count()));
 }
-BENCHMARK(picture)
-    ->Arg(100'000)
-    ->Arg(1'000'000)
-    ->Arg(10'000'000)
-    ->Arg(30'000'000)
-    ->Unit(benchmark::kMillisecond);
+BENCHMARK(picture)->Apply(sizes);
 
 }  // namespace
 

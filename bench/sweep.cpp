@@ -25,7 +25,7 @@ void life_bytes(benchmark::State& state) {
   const auto slots = static_cast<double>(s.slot_count()), cells_owned = static_cast<double>(s.owned_count()),
              rows = static_cast<double>(sizeof(Row) * s.rows().size()),
              ghosts = static_cast<double>(s.links().size());
-  bench::report(state, "cell", cells_owned, static_cast<double>(s.bytes()) + 2.0 * slots + 4.0 * ghosts,
+  bench::report(state, "cell", cells_owned, static_cast<double>(s.bytes() + stepper.bytes()),
                 2.0 * slots + rows + 8.0 * ghosts, threads);
 }
 BENCHMARK(life_bytes)

@@ -42,8 +42,8 @@ class Alarms {
   }
 
  private:
-  std::map<std::uint64_t, std::vector<std::uint32_t>>
-      lists_;  // by the step, counted from the first one taken
+  // By the step, counted from the first one taken.
+  std::map<std::uint64_t, std::vector<std::uint32_t>> lists_;
   std::uint64_t taken_ = 0;
 };
 

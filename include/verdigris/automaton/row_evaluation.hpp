@@ -23,7 +23,8 @@ template <typename State>
 
 /// A behaviour that makes the next states of `lanes` cells side by side at once: next_lanes<lanes>(below,
 /// here, above, out), the pointers of a Neighbourhood at the first of them. Without random numbers. Loops of
-/// a fixed length that compilers make vectors of; the same states as `next`, cell by cell.
+/// a fixed length that compilers make vectors of; the same states as `next`, cell by cell. Some of them may
+/// be no cells that evolve, with any states around them: what is made of those is not used.
 template <typename B>
 concept LaneBehaviour = Behaviour<B> &&
     requires(const B& b, const typename B::State* in, typename B::State* out) {
