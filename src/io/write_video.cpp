@@ -105,6 +105,7 @@ bool write_video(const std::string& ffmpeg, const std::vector<std::filesystem::p
     const std::size_t count = encoded(child.output());
     std::string said = child.errors();
     while (said.ends_with('\n')) said.pop_back();
+    if (said.empty()) said = "it does not say why";
     if (status != 0)
       throw InputError(file.string(), fmt::format("ffmpeg ended with status {}: {}", status, said),
                        "see what it says");
